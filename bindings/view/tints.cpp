@@ -199,7 +199,7 @@ void Tints::by_error(const World& world, double size) {
     return heat((std::log10(std::fmax(error / size, 1e-30)) - least_log) / (most_log - least_log));
   };
   for (const auto& articulate : world.articulates) {
-    const Color open = color(articulate->gaps.open);
+    const Color open = color(articulate->gaps.unaccepted);
     for (const Row& row : articulate->rows) {
       if (row.condition >= 0 || !world.points.alive(row.member)) continue;
       Color& ring = particles_[world.points[row.member].particle.slot - 1];

@@ -58,12 +58,12 @@ struct CoupledBlock {
 struct HeadBlock {
   std::uint32_t row, block;
 };
-/// Rows whose values add up to one: segments of a string, turns of gears.
+/// Rows whose values add up to one number: segments of a string, turns of gears.
 struct Coupling {
   std::uint32_t head;
   std::vector<std::uint32_t> rows;  // the head among them
   std::vector<CoupledBlock> blocks;
-  std::vector<HeadBlock> links;
+  std::vector<HeadBlock> links;        // of each of its other rows
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
 
@@ -76,18 +76,18 @@ struct Tile {
 
 /// Largest distances that rows should have closed, [m].
 struct Gaps {
-  double points = 0.0;  ///< of rigid rows between points
-  double others = 0.0;  ///< of all other rows that forbid motion: lengths, planes, turns, couplings
-  double open = 0.0;    ///< of all, but for offsets that were accepted
+  double points = 0.0;      ///< of rigid rows between points
+  double others = 0.0;      ///< of all other rows that forbid motion: lengths, planes, turns, couplings
+  double unaccepted = 0.0;  ///< of all, less what of them was accepted
   double all() const { return std::fmax(points, others); }
 };
 
-/// Work [J] of impulses on what is prescribed: anchors and lengths, and the turns of angular rows.
+/// Work [J] of impulses on what is prescribed: on anchors and lengths, and on the turns of angular rows.
 struct ImpulseWork {
-  double ends = 0.0, turns = 0.0;
-  double all() const { return ends + turns; }
+  double anchors = 0.0, turns = 0.0;
+  double all() const { return anchors + turns; }
   void operator+=(const ImpulseWork& more) {
-    ends += more.ends;
+    anchors += more.anchors;
     turns += more.turns;
   }
 };
@@ -101,7 +101,7 @@ struct DriftReport {
   double work = 0.0;                  // [J] of the anchors, changing lengths, pushes and torques
   double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
-  double met = 0.0;                   // [J] of making velocities consistent after an edit
+  double after_edit = 0.0;            // [J] of making velocities consistent after an edit
   double projected = 0.0;             // [J] of the symmetric projection
   double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
   double unsolved = 0.0;   // [J] of forces on gaps that the iteration left open; only where the ledger is kept
@@ -110,7 +110,7 @@ struct DriftReport {
 
   double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
-    work += done.ends * sign;
+    work += done.anchors * sign;
     motor += done.turns * sign;
   }
 };
@@ -148,30 +148,38 @@ struct MeanMotion {
   std::array<Vec3, 2> velocity{}, acceleration{};
 };
 
+/// What the factor at hand is of, where it may serve again.
+enum class FactorOf : std::uint8_t {
+  none,
+  newton,     ///< Newton's matrix of the last attempt
+  projection  ///< what the rows forbid, at the nodes' starts
+};
+
 /// What steps change beside nodes and rows; a step that is done again starts from it.
 struct ArticulateState {
   std::vector<Condition> conditions;
   std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
-  std::array<std::vector<Vec3>, 2>
-      touched;  // (rows) [N s] impulses of the contact searches, before and after the last drift, where the next begin; none: nothing touches
-  std::array<std::vector<double>, 2>
-      touched_scalars;        // (rows) the same of scalar rows, at the row that they are known by
+  // (rows) [N s] what they gave in the searches for contacts before and after the last drift: where the next begin. Of ties,
+  // and of scalar rows at the row that they are known by; none: nothing touches.
+  std::array<std::vector<Vec3>, 2> tie_impulses;
+  std::array<std::vector<double>, 2> scalar_impulses;
   std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
-  std::vector<Vec3>
-      expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
-  std::vector<Vec3>
-      reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
+  std::vector<Vec3> expected;
+  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  std::vector<Vec3> reaction;
   std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3>
-      symmetric_impulses;          // (rows) [N s] running mean of those of projections, see `project_symmetrically`
-  double symmetric_h = 0.0;        // [s] of the sub-steps after which they serve; 0: none
-  double symmetric_energy = 0.0;   // [J] that taking them gave
-  ImpulseWork symmetric_work;      // of them
-  Vec3 angular_of_gaps = zero3();  // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  Gaps gaps;                       // at the start of the next step
-  double residual = 0.0;           // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;             // [s] of the last good step; 0: no history
+  // (rows) [N s] running mean of those of projections, see `project_symmetrically`
+  std::vector<Vec3> symmetric_impulses;
+  double symmetric_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
+  double symmetric_energy = 0.0;  // [J] that taking them gave
+  ImpulseWork symmetric_work;     // of them
+  Vec3 angular_at_distance =
+      zero3();            // [kg m²/s] by forces at a distance, which the end of the full sub-step gives back
+  Gaps gaps;              // at the start of the next step
+  double residual = 0.0;  // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;    // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
@@ -179,23 +187,23 @@ struct ArticulateState {
   std::uint32_t good_steps = 0, wait = 20;  // since epsilon was lowered; after which it is raised
   std::uint32_t projection_wait = 0;        // projections until one tries the factor of Newton's matrix again
   bool lowered = false;                     // epsilon was lowered in the last attempt
-  bool has_factor = false;                  // the factor is of a Newton matrix
-  bool exact = false;                       // the factor is of what the rows forbid, at the nodes' starts
-  bool fell_back = false;                   // the last step was a fallback step
-  bool offsets = false;                     // gaps of rows were accepted
-  bool edited = true;                       // new: velocities are still to be made consistent
-  bool torn = false;                        // by an edit, and still open
-  std::uint32_t open_steps = 0;             // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;                     // (0 … 1) of the step, up to which a fallback step has already moved
-  bool smooth = true;                       // no part of the full sub-step was halved or a fallback step
-  bool cut = false;                         // the full sub-step has more than one part, or something in it may stop
-  bool touches = false;                     // contacts gave it impulses before the last drift
-  bool weak = false;                        // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;                       // in each stage of a step
-  float error_by_jerk = 0.0F;               // error of sub-steps by h² |jerk|, at the last trials; 0: none
-  std::vector<MeanMotion> means;            // (nodes) where `accuracy` asks
-  double means_span = 0.0;                  // [s] from stage to stage
-  std::uint8_t means_known = 0;             // 1: velocities are known, 2: accelerations too
+  FactorOf factor_of = FactorOf::none;
+  bool fell_back = false;        // the last step was a fallback step
+  bool offsets = false;          // gaps of rows were accepted
+  bool edited = true;            // new: velocities are still to be made consistent
+  bool torn = false;             // by an edit, and still open
+  std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
+  double arrived = 0.0;          // (0 … 1) of the step, up to which a fallback step has already moved
+  bool smooth = true;            // no part of the full sub-step was halved or a fallback step
+  bool sums_impulses =
+      false;  // `exerted` is summed up: the full sub-step has more than one part, or something in it may stop
+  bool touches = false;           // contacts gave it impulses before the last drift
+  bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
+  SubSteps sub_steps;             // in each stage of a step
+  float error_by_jerk = 0.0F;     // error of sub-steps by h² |jerk|, at the last trials; 0: none
+  std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
+  double means_span = 0.0;        // [s] from stage to stage
+  std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
   DriftReport report;  // of the last phase
   NodeTotals totals;   // at the end of the last step
@@ -208,14 +216,14 @@ struct Articulate : ArticulateState {
   std::vector<Row> rows;           // in the order of elimination
   std::vector<NodeBatch> batches;  // of the nodes
   std::vector<RowEnds> ends;       // of the batches
-  std::vector<Vec3>
-      at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+  std::vector<Vec3> at_ends;
   std::vector<RowBlock> row_blocks;
   std::vector<Coupling> couplings;
   std::vector<Hub> hubs;
   std::vector<Node> saved;                     // as they were: where a fallback step goes back to, and for the ledger
   std::vector<std::uint32_t> first_row_block;  // (nodes + 1); hubs have none
-  RowLists on;                                 // (nodes) the rows that a node is in, rising
+  RowLists rows_on;                            // (nodes) the rows that a node is in, rising
   std::vector<Tile> tiles;                     // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows of the factor)
@@ -253,6 +261,10 @@ inline Vec3 force_in_drift(const Articulate& a, std::size_t k) {
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
   const Vec3 f = force_in_drift(a, k);
   return a.reaction.empty() ? f : f + a.reaction[k];
+}
+/// The factor at hand, where it is of that, is so no more.
+inline void drop_factor(Articulate& a, FactorOf of) {
+  if (a.factor_of == of) a.factor_of = FactorOf::none;
 }
 /// It moves again, or is not to fall asleep before its motion was looked at anew.
 inline void wake(Articulate& articulate) { articulate.rest = {}; }

@@ -11,8 +11,8 @@ namespace pantin {
 struct alignas(64) RowEnds {
   Vec3x4 l;       // [m] arm in principal axes; 0 of an angular row
   Vec3x4 r0, r1;  // [m] arm in the world
-  Lanes
-      sign;  // force on the node per force of the row: 1, -1; 0 of an angular row, and where the node has no more rows
+  // force on the node per force of the row: 1, -1; 0 of an angular row, and where the node has no more rows
+  Lanes sign;
   Lanes lever;                                // [m] torque on the node per force of an angular row, else 0
   std::array<std::uint32_t, batch_size> row;  // any where the node has no more
   std::array<std::uint32_t, batch_size> to;   // place in Articulate::at_ends: the last where the node has no more rows

@@ -48,7 +48,7 @@ void hold_when_near(World& world, ConstraintId id) {
   if (norm(velocity(world, c.a) - velocity(world, c.b)) * c.time_constant > reach) return;
   c.max_force = std::numeric_limits<double>::infinity();
   start_constraint(world, c);
-  touch(world, c);
+  mark_edited(world, c);
 }
 
 bool has_met(const Constraint& c) {

@@ -13,7 +13,7 @@ namespace {
 double row_angle(const Row& row) { return functions::atan2(norm(cross(row.rb1, row.ra1)), dot(row.rb1, row.ra1)); }
 
 double evaluate_align(Row& row, Condition& c, const RowContext& context) {
-  const double value = row_angle(row) * row.lever - c.length - c.accepted;
+  const double value = row_angle(row) * row.lever - c.kept_value - c.accepted;
   return evaluate_function(
       row, c,
       {direction(cross(row.rb0 + row.rb1, row.ra0 + row.ra1)), direction(cross(row.rb1, row.ra1)), value, value},
@@ -23,7 +23,7 @@ double evaluate_align(Row& row, Condition& c, const RowContext& context) {
 void project_align(const Row& row, Condition& c) { project_function(c, cross(row.rb1, row.ra1)); }
 
 Vec3 align_gap(const Row& row, const Condition& c) {
-  return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.length - c.accepted);
+  return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.kept_value - c.accepted);
 }
 
 const RowRule align_row = {.evaluate = evaluate_align, .project = project_align, .gap = align_gap};

@@ -52,7 +52,7 @@ void project_function(Condition& c, Vec3 gradient, double slope) {
   if (!c.held) return;
   const Vec3 n = direction(gradient);
   c.kept = outer(n, n);
-  c.wanted += n * (c.length_rate / slope);
+  c.wanted += n * (c.value_rate / slope);
 }
 
 double missing(const Condition& c, double low, double high) {

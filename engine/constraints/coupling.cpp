@@ -121,10 +121,10 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.weight = weight_of(c, v) * unit;
   condition.weight0 = (v.fixed + v.by_ratio * c.number.previous) * unit;
   condition.weight1 = (v.fixed + v.by_ratio * c.number.now) * unit;
-  condition.whole_length0 = c.as<CouplingData>().total + c.attract.previous_excess;
-  condition.whole_length1 = c.as<CouplingData>().total + c.attract.excess;
-  condition.length_rate = c.attract.excess_rate;
-  condition.may_do_work = condition.ranged || condition.whole_length0 != condition.whole_length1;
+  condition.whole_value0 = c.as<CouplingData>().total + c.attract.previous_excess;
+  condition.whole_value1 = c.as<CouplingData>().total + c.attract.excess;
+  condition.value_rate = c.attract.excess_rate;
+  condition.works_along_d = condition.ranged || condition.whole_value0 != condition.whole_value1;
   condition.bent = Bent::nothing;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = row.lever > 0.0 || v.body_b ? zero3() : model.plane.along(v.position);

@@ -39,9 +39,12 @@ void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
 }  // namespace
 
 const RowRule soft_row = {
-    .soft = true, .over_gap = true, .evaluate = evaluate_soft, .project = project_soft, .pull = soft_pull};
+    .soft = true, .at_distance = true, .evaluate = evaluate_soft, .project = project_soft, .pull = soft_pull};
 
 namespace {
+
+/// Whether it holds its point as a nail does.
+bool is_rigid(const Constraint& c) { return !std::isfinite(c.max_force); }
 
 void check(const Model&, Constraint& c) {
   internal::require_positive_or_infinite("follow", "max_force", c.max_force, "N");
@@ -49,15 +52,15 @@ void check(const Model&, Constraint& c) {
 }
 
 void start(const Model& model, Constraint& c, double tolerance) {
-  if (c.pins()) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
+  if (is_rigid(c)) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
 }
 
 double gap(const Model& model, const Constraint& c) {
-  return c.pins() ? norm(from_position(model, c) - c.attract.away) : 0.0;
+  return is_rigid(c) ? norm(from_position(model, c) - c.attract.away) : 0.0;
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {between_points(c, c.pins() ? rigid_row : soft_row)};
+  return {between_points(c, is_rigid(c) ? rigid_row : soft_row)};
 }
 
 }  // namespace
@@ -68,8 +71,9 @@ const ConstraintRule follow_rule = {
     .check = check,
     .freedoms =
         [](const Constraint& c) {
-          return c.pins() ? FreedomsTaken{3, 2} : FreedomsTaken{};
+          return is_rigid(c) ? FreedomsTaken{3, 2} : FreedomsTaken{};
         },
+    .pins = [](const Constraint& c) { return is_rigid(c) ? "held by a follow without max_force" : nullptr; },
     .directions = all_directions,
     .start = start,
     .gap = gap,

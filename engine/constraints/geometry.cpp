@@ -2,6 +2,7 @@
 
 #include "base/check.hpp"
 #include "base/check_values.hpp"
+#include "constraints/kind.hpp"
 
 namespace pantin {
 
@@ -54,7 +55,7 @@ void start_number(Constraint& c, double excess, double rate, double allowed) {
 
 void start_point(const Model& model, Constraint& c, Vec3 away, Vec3 rate, double tolerance) {
   const double size = size_of(model, c.a);
-  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.position.now))) return;
+  if (norm(away) <= tolerance * (size > 0.0 || pins(c) ? size : largest(c.position.now))) return;
   c.attract.away = away;
   c.attract.away_rate = rate;
 }

@@ -20,7 +20,7 @@ void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
 
-const RowRule attract_row = {.over_gap = true,
+const RowRule attract_row = {.at_distance = true,
                              .keeps_separation = true,
                              .offsets_gap = true,
                              .evaluate = evaluate_attract,

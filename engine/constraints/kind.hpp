@@ -57,6 +57,8 @@ struct ConstraintRule {
   /// kinds. Null: no more is checked.
   void (*check)(const Model& model, Constraint& constraint) = nullptr;
   FreedomsTaken (*freedoms)(const Constraint& constraint) = nullptr;
+  /// How messages call what leaves its point no freedom at all, as "nailed"; null where it leaves some.
+  const char* (*pins)(const Constraint& constraint) = nullptr;
   /// Directions in which it holds its point in the world; zero: none.
   std::array<Vec3, 3> (*directions)(const Constraint& constraint) = nullptr;
   /// Starts anew what begins at rest: notes what is further away than `tolerance`, relative to sizes; null: never far.
@@ -82,6 +84,8 @@ struct ConstraintRule {
 const ConstraintRule& rule_of(ConstraintKind kind);
 inline const ConstraintRule& rule_of(const Constraint& constraint) { return rule_of(constraint.kind); }
 
+/// How messages call what leaves its point no freedom at all; null where it leaves some.
+inline const char* pins(const Constraint& c) { return rule_of(c).pins == nullptr ? nullptr : rule_of(c).pins(c); }
 /// Whether it keeps its value in a range: a limit, a string, a path with ends.
 inline bool has_range(const Constraint& c) { return rule_of(c).has_range != nullptr && rule_of(c).has_range(c); }
 /// Whether a number that was beyond its range at first is on its way in: until 1e-4 of that is left it is held on both sides,

@@ -46,8 +46,8 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) {
 void load(Condition& condition, const Row& row, const Model&, const Constraint& c) {
   if (!is_drawn_in(c)) return;
   const double end = (c.a ? 1.0 : row.lever) * (c.attract.first_excess > 0.0 ? c.high : c.low);
-  condition.whole_length0 += end;
-  condition.whole_length1 += end;
+  condition.whole_value0 += end;
+  condition.whole_value1 += end;
 }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {

@@ -30,9 +30,9 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn.now));
   condition.axis = condition.axis0 = condition.axis1 = model.plane.axis(rotate(to_b, c.axis_b));
   condition.angle0 = condition.angle1 = c.angle;
-  condition.whole_length0 = row.lever * (c.number.previous + c.attract.previous_excess);
-  condition.whole_length1 = row.lever * (c.number.now + c.attract.excess);
-  condition.length_rate = row.lever * (c.number.rate + c.attract.excess_rate);
+  condition.whole_value0 = row.lever * (c.number.previous + c.attract.previous_excess);
+  condition.whole_value1 = row.lever * (c.number.now + c.attract.excess);
+  condition.value_rate = row.lever * (c.number.rate + c.attract.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
   condition.upper = condition.jammed > 0.0 ? 0.0 : std::fmin(c.max_torque / row.lever, condition.strongest);
@@ -43,13 +43,13 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.whole0 = condition.whole1 = zero3();
   condition.by_speed = c.by_speed;
   condition.start_rate = row.lever * c.number.previous_rate;
-  condition.bent = c.bend.straight() ? Bent::nothing : c.turn.of_time ? Bent::turn : Bent::length;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.turn.of_time ? Bent::turn : Bent::value;
   condition.bend =
       c.bend.mapped(row.lever, [&](Vec3 v) { return c.turn.of_time ? model.plane.about(v) : v * row.lever; });
-  condition.may_do_work = false;
+  condition.works_along_d = false;
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
-  condition.may_do_work =
-      condition.may_do_work || condition.ranged || condition.whole_length0 != condition.whole_length1 ||
+  condition.works_along_d =
+      condition.works_along_d || condition.ranged || condition.whole_value0 != condition.whole_value1 ||
       !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
 }
 
@@ -76,16 +76,16 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.whole0 = model.plane.along(c.position.previous + c.attract.previous_away);
   condition.whole1 = model.plane.along(c.position.now + c.attract.away);
   condition.velocity = model.plane.along(c.position.rate + c.attract.away_rate);
-  condition.whole_length0 = c.number.previous + c.attract.previous_excess;
-  condition.whole_length1 = c.number.now + c.attract.excess;
-  condition.length_rate = c.number.rate + c.attract.excess_rate;
-  condition.bent = c.bend.straight() ? Bent::nothing : c.position.of_time ? Bent::position : Bent::length;
+  condition.whole_value0 = c.number.previous + c.attract.previous_excess;
+  condition.whole_value1 = c.number.now + c.attract.excess;
+  condition.value_rate = c.number.rate + c.attract.excess_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.position.of_time ? Bent::position : Bent::value;
   condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.position.of_time ? model.plane.along(v) : v; });
   condition.low = c.low;
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
-  condition.may_do_work = is_soft(row) || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  condition.works_along_d = is_soft(row) || condition.ranged || condition.whole_value1 != condition.whole_value0;
   condition.max_force = c.max_force;
   condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   condition.damping = 2.0 * total_mass / c.time_constant;

@@ -17,7 +17,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, turn_row)}; }
 
-void load(Condition& condition, const Row&, const Model&, const Constraint&) { condition.may_do_work = true; }
+void load(Condition& condition, const Row&, const Model&, const Constraint&) { condition.works_along_d = true; }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
   return {{"axis", direction_of(model, c.body_a, c.axis_a), true}};

@@ -25,6 +25,7 @@ const ConstraintRule nail_rule = {
         [](const Constraint&) {
           return FreedomsTaken{3, 2};
         },
+    .pins = [](const Constraint&) { return "nailed"; },
     .directions = all_directions,
     .start = start,
     .gap = gap,

@@ -17,8 +17,8 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
   const double mean_length = norm(middle);
   ConstraintFunction r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
-  const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
-  const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.length) + c.accepted;
+  const double low = c.ranged ? low_end(c) : c.kept_value, high = c.ranged ? high_end(c) : c.kept_value;
+  const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.kept_value) + c.accepted;
   r.gradient = row.d1 / length;
   r.turn_of_n = 1.0 / (2.0 * std::fmax(mean_length, 1e-3 * length));
   if (c.ranged) {
@@ -40,7 +40,7 @@ Stop stop_of_rod(const Row& row, const Condition& c) {
 Vec3 rod_gap(const Row& row, const Condition& c) {
   const double length = norm(row.d1) - c.accepted;
   return direction(row.d1) * (c.ranged ? missing(c, c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c))
-                                       : length - c.length);
+                                       : length - c.kept_value);
 }
 
 }  // namespace

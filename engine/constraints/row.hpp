@@ -35,34 +35,32 @@ struct alignas(64) Row {
   Vec3 d0 = zero3();
   Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of an angular row
   PointId member;                                                   // of a hinge: the point that f pulls
-  PointId centre;                                                   // of a hinge: the star's point, that -f pulls
+  PointId star_point;                                               // of a hinge: that of its star, which -f pulls
 };
 
 /// What of a condition leaves the straight line between the ends of a step.
-enum class Bent : std::uint8_t { nothing, position, length, turn };
+enum class Bent : std::uint8_t { nothing, position, value, turn };
 
 /// What the row of a constraint has beyond a hinge's: an anchor, a matrix of its own, limits.
 struct Condition {
-  Vec3
-      position0 = zero3(),
-      position1 =
-          zero3();  // [m] anchor, [rad] rotation of a turn prescribed, at the start and end of the step being solved; or a separation
+  // [m] anchor, [rad] rotation of a turn prescribed, at the start and end of the step being solved; or a separation
+  Vec3 position0 = zero3(), position1 = zero3();
   Vec3 whole0 = zero3(), whole1 = zero3();  // the same at the start and end of the scene's step
   Vec3 velocity = zero3();                  // [m/s] of the anchor at the end of the step
   Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
   Vec3 wanted = zero3();                    // [m/s] but for this one of d1
   Vec3 worked_at = zero3();  // [m/s] at which impulses do work: of what is driven the mean of before and after
   bool driven = false;       // what is prescribed moves, in this step or the last one
-  Mat3 M = zero33(),
-       C = zero33();  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  Mat3 M = zero33(), C = zero33();
   // [m] what the value of a row of one dimension is kept at, at the end of the step being solved; of a range, by how much it
-  // is still beyond that (`low_end`, `high_end`). `whole_…` and `length_rate` are of the same.
-  double length = 0.0;
-  double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
-  double length_rate = 0.0;                         // [m/s]
+  // is still beyond that (`low_end`, `high_end`). `whole_…` and `value_rate` are of the same.
+  double kept_value = 0.0;
+  double whole_value0 = 0.0, whole_value1 = 0.0;  // [m] at the start and end of the whole step
+  double value_rate = 0.0;                        // [m/s]
   Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
-  double accepted =
-      0.0;  // [m] what a value is beyond what it is kept at since no motion can close it; of rows without `offsets_gap`
+  // [m] what a value is beyond what it is kept at since no motion can close it; of rows without `offsets_gap`
+  double accepted = 0.0;
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a soft row
   double max_force = 0.0;                 // [N]
   // Of angular rows: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
@@ -80,32 +78,32 @@ struct Condition {
   double lower = -infinity, upper = infinity;
   double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
   double yields_by = 0.0;     // [m/N] how far it yields per force
-  double strongest =
-      infinity;  // [N] bound of a motor without `max_torque` while its articulate touches something: of its torque over its lever
-  double jammed =
-      0.0;  // [N] what such a motor gives at its bound while contacts stop it; it gives nothing in the drift then
+  // [N] bound of a motor without `max_torque` while its articulate touches something: of its torque over its lever
+  double strongest = infinity;
+  // [N] what such a motor gives at its bound while contacts stop it; it gives nothing in the drift then
+  double jammed = 0.0;
   bool ranged = false;  // low < high
   Bent bent = Bent::nothing;
   bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
-  double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step
+  double start_rate = 0.0;  // [m/s] of such a motor: `value_rate` at the start of the step
   // Of a coupled row: by how much its value counts in metres of its own [1], in the step and at its ends; and in matrices,
   // by d1 in the equation of the head, and by the head's force in its own.
   double weight = 1.0, weight0 = 1.0, weight1 = 1.0;
   bool turns_axis = false;  // an angular one that turns the axis along which another's distance counts
   Mat3 into_head = zero33(), from_head = zero33();
-  double extent = 0.0;       // [m] of the largest number that its gap is found from, whose round-off it has
-  bool held = true;          // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;   // before the part of a step that is being solved: what began to hold in it is struck
-  bool may_do_work = false;  // its force
-  bool gives_way = false;    // now: impulses do not find it, since its force has an end
+  double extent = 0.0;         // [m] of the largest number that its gap is found from, whose round-off it has
+  bool held = true;            // the range, or the limit of the force, lets it act as a constraint
+  bool held_before = true;     // before the part of a step that is being solved: what began to hold in it is struck
+  bool works_along_d = false;  // its force may do work f·Δd: it stops, pulls, or keeps what is prescribed
+  bool gives_way = false;      // while impulses are found in which it has no part, since its force has an end
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
-  std::shared_ptr<StiffBond>
-      stiff;  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
-  std::vector<double>
-      energy_given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
+  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
+  std::shared_ptr<StiffBond> stiff;
+  // (its curves) [J] what their energies gave to the motion in this stage of the step
+  std::vector<double> energy_given;
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step
-  bool settles = false;                    // now
+  bool settles = false;                    // while `settle_velocities` solves
 };
 
 /// Whether its force has an end either way, as that of a motor with a largest torque.

@@ -32,7 +32,7 @@ struct RowRule {
   bool by_law = false;             ///< pulls by the law of a connection: no constraint made it
   bool coupled = false;            ///< its value is one of several that add up, evaluated together by its articulate
   bool about_axis = false;         ///< an angular one about its axis alone; where it has no range a motor
-  bool over_gap = false;           ///< pulls along a gap in any direction, and so may twist what is free
+  bool at_distance = false;        ///< pulls at points that are apart, in any direction, and so may twist what is free
   bool keeps_separation = false;   ///< between two points, too, d1 is to be `position1`
   bool held_at_end = false;        ///< `held` is of an end of its range, which a step finds out; within it holds, too
   bool guides = false;             ///< a point that the world holds by it moves along something, and keeps no momentum
@@ -91,8 +91,8 @@ double evaluate_function(Row& row, Condition& condition, const ConstraintFunctio
 /// value changes with d along that.
 void project_function(Condition& condition, Vec3 gradient, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
-inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
-inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }
+inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.kept_value); }
+inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.kept_value); }
 /// Of a value along a unit vector, by how far it is above the ends of its range [m].
 inline Stop nearer_end(Vec3 along, double low, double high) {
   return -high < low ? Stop{along * -1.0, -high} : Stop{along, low};

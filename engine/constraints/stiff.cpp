@@ -94,7 +94,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
 void start_stiff(StiffBond& bond, const Row& row, double approach) {
   const double s0 = std::fmax(norm2(row.d0), bond.least2);
   bond.rate0 = approach / std::sqrt(s0);
-  bond.chosen = false;
+  bond.damping_known = false;
   for (std::size_t i = 0; i < bond.curves.size(); i++) {
     bond.energy0[i] = 0.0;
     if (!bond.curves[i].has_energy()) continue;
@@ -107,7 +107,7 @@ namespace {
 
 /// Finds how it is to settle in the step, by its stiffness and damping at the start.
 void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
-  bond.chosen = true;
+  bond.damping_known = true;
   bond.damping = bond.settling = 0.0;
   double c = 0.0, k = 0.0;  // [N s/m], [N/m]
   for (PairCurve& curve : bond.curves) {
@@ -178,7 +178,7 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffBond& bond = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), bond.least2), s1 = std::fmax(norm2(row.d1), bond.least2);
   const double r0 = std::sqrt(s0), r1 = std::sqrt(s1), h = context.h;
-  if (!bond.chosen) choose_damping(bond, s0, context);
+  if (!bond.damping_known) choose_damping(bond, s0, context);
   const Vec3 e = row.d0 + row.d1;
   Vec3 missed = row.f;
   double Q = 0.0, slope = 0.0, sizes = 0.0, stiffness = 0.0;
@@ -227,7 +227,7 @@ void project_stiff(const Row& row, Condition& c) {
 const RowRule stiff_row = {.soft = true, .by_law = true, .evaluate = evaluate_stiff, .project = project_stiff};
 
 void hold_length(Row& row, Condition& c) {
-  c.length = norm(row.d0);
+  c.kept_value = norm(row.d0);
   c.accepted = 0.0;
   row.offset = zero3();
   row.rule = norm2(row.d0) > c.stiff->least2 ? &rod_row : &rigid_row;

@@ -17,7 +17,7 @@ struct StiffBond {
   double least2 = 0.0;            // [m²] below it distances count as equal to its root
   double rate0 = 0.0;             // [m/s] of the distance at the start
   std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
-  bool chosen = false;            // whether these are known of the step being solved:
+  bool damping_known = false;     // of the step being solved, as are:
   double damping = 0.0;           // [N s/m] beyond that of its curves
   double settling = 0.0;          // [kg] κ_s, and what it draws to:
   double mean_rate = 0.0;         // [m/s] of the distance over the step

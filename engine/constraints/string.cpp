@@ -86,8 +86,8 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
   condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.position : from.position);
   condition.velocity = zero3();
   const double fixed = fixed_length(model, c);
-  condition.whole_length0 -= fixed;
-  condition.whole_length1 -= fixed;
+  condition.whole_value0 -= fixed;
+  condition.whole_value1 -= fixed;
 }
 
 }  // namespace

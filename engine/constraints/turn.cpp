@@ -19,7 +19,7 @@ double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, co
 
 double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
-  const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
+  const double low = c.ranged ? low_end(c) : c.kept_value, high = c.ranged ? high_end(c) : c.kept_value;
   const ConstraintFunction function{mean_axis(row), angle_gradient(row), value - low, value - high};
   if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, function, context);
   return evaluate_function(row, c, function, context);
@@ -39,7 +39,7 @@ Stop stop_of_turn(const Row& row, const Condition& c) {
 Vec3 turn_gap(const Row& row, const Condition& c) {
   const double value = c.angle1 * row.lever - c.accepted;
   return direction(angle_gradient(row)) *
-         missing(c, value - (c.ranged ? low_end(c) : c.length), value - (c.ranged ? high_end(c) : c.length));
+         missing(c, value - (c.ranged ? low_end(c) : c.kept_value), value - (c.ranged ? high_end(c) : c.kept_value));
 }
 
 }  // namespace

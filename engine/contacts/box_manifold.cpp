@@ -21,10 +21,10 @@ Vec3 rotate_lanes_back(Vec3 v) { return __builtin_shufflevector(v, v, 2, 0, 1, 3
 struct BoxPair {
   const Vec3 half_a, half_b;
   const Pose &at_a, &at_b;
-  double margin, turning, size;  ///< [m]
-  Vec3 between;                  ///< from the centre of b to that of a
-  Mat3 b_in_a;                   ///< axes of b in those of a
-  Vec3 centre_in_a;              ///< `between` in axes of a
+  double margin, turn_way, size;  ///< [m]
+  Vec3 between;                   ///< from the centre of b to that of a
+  Mat3 b_in_a;                    ///< axes of b in those of a
+  Vec3 centre_in_a;               ///< `between` in axes of a
 };
 
 /// The axes on which the boxes are farthest apart: 0 … 5 of faces, of a then of b; 3 i + j of edges i of a and j of b.
@@ -227,7 +227,7 @@ void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Po
                 SeparationCache& cache, Manifold& manifold) {
   manifold.count = 0;
   BoxPair pair = {
-      a.half,          b.half, at_a, at_b, ahead.margin, ahead.turning, std::fmin(largest(a.half), largest(b.half)),
+      a.half,          b.half, at_a, at_b, ahead.margin, ahead.turn_way, std::fmin(largest(a.half), largest(b.half)),
       at_a.x - at_b.x, {},     {}};
   pair.centre_in_a = transposed_times(at_a.R, pair.between);
   for (int j = 0; j < 3; j++) pair.b_in_a[j] = transposed_times(at_a.R, at_b.R[j]);
@@ -245,7 +245,7 @@ void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Po
     if (nearest.distance <= pair.margin && nearest.distance < least_gap(list) - on_border * pair.size)
       manifold.points[manifold.count++] = nearest_point(nearest);
   }
-  keep_points(list, pair.size, pair.turning, manifold);
+  keep_points(list, pair.size, pair.turn_way, manifold);
 }
 
 }  // namespace pantin

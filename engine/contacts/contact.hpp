@@ -46,20 +46,22 @@ struct Contact {
   double friction = 0.0, restitution = 0.0;
   double rolling = 0.0, spinning = 0.0;  ///< [m] moment by normal force against rolling, against spinning on the spot
   Roundness round_a, round_b;
-  Vec3 belt = zero3();     ///< [m/s] by which the surface of a moves on it, less that of b
-  Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
-  Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
-  Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
-  std::int32_t placed = -1;  ///< its number among what `place` gave, in the stage, as long as it lasts; -1: nothing
-  double approach = 0.0;     ///< [m/s] along the normal at the start of the step, below 0: nearing
-  double rebound = 0.0;      ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
-  bool foreseen = false;     ///< it is where a motion will meet the other within the step: impulses act at
-  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] these arms then
-  bool sure = false;  ///< `place` solved its island, with what is tied in it: the drift tells how well it foresaw
-  double missed =
-      0.0;  ///< of the size, by how much more than was foreseen it was closed in a drift of the last step, where that was sure
-  bool past =
-      false;  ///< foreseen, and held in the drift that is over: `meet` takes it for those that its shapes have now
+  Vec3 belt = zero3();  ///< [m/s] by which the surface of a moves on it, less that of b
+  /// [N s], and [N m s] of rolling and spinning, on a: of the stage before the drift, which keeps shapes from overlapping;
+  Vec3 place_impulse = zero3(), place_moment = zero3();
+  /// of all the step, which the velocities after it have.
+  Vec3 total = zero3(), total_moment = zero3();
+  std::int32_t place_index = -1;  ///< of what `place` gave it, among all of the stage, as long as it lasts; -1: nothing
+  double approach = 0.0;          ///< [m/s] along the normal at the start of the step, below 0: nearing
+  double rebound = 0.0;           ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
+  bool foreseen = false;          ///< it is where a motion within the step will take a to b:
+  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] at these arms impulses act then
+  /// A foreseen one that held in the last drift: for `meet` it stands for those that its shapes have now.
+  bool from_before = false;
+  /// `place` solved its island and what is tied in it: the drift tells how well it foresaw.
+  bool checks_drift = false;
+  /// Of the size: by how much drifts of the last step that were so checked closed it more than was foreseen.
+  double closed_beyond = 0.0;
 };
 
 /// An impulse that was given before a drift.

@@ -8,9 +8,9 @@ namespace pantin {
 
 namespace {
 
-/// Part of the size within which gaps are equal, and a corner lies on the border of a face.
+/// Part of the reach within which gaps are equal, and a corner lies on the border of a face.
 constexpr double little = 1e-9;
-/// Part of the size about nearest points within which no other normal holds.
+/// Part of the reach about nearest points within which no other normal holds.
 constexpr double where_edges_meet = 1e-2;
 /// Cosine above which two points of lines are near each other along the normal of the pair.
 constexpr double along_normal = 0.99;
@@ -77,7 +77,7 @@ void add_line_points(const FeaturePair& pair, const Line& round, const Line& oth
     const Vec3 on_round = (from_other ? nearest : x) - n * round.radius;
     const std::uint32_t which = (part == 0.0 || part == 1.0 ? 0u : 2u) + (part == interval.from ? 0u : 1u);
     const Vec3 on_a = pair.origin + (round_is_a ? on_round : on_round - n * gap);
-    if (has_point_at(list, on_a, as_good_a_face * pair.size)) continue;  // edges that meet share a corner
+    if (has_point_at(list, on_a, as_good_a_face * pair.reach)) continue;  // edges that meet share a corner
     list.add({on_a, to_a, gap, name_of(along_lines, round.name, other.name, which)});
   }
 }
@@ -127,7 +127,7 @@ void add_face_points(const FeaturePair& pair, bool face_of_a, double least, Poin
   const FeatureSide& other = side_of(pair, !face_of_a);
   const Vec3 outwards = face.normal, plane = on_plane(face);
   Loop loop = other.feature.loop;
-  clip(loop, other.feature.normal, face, little * pair.size);
+  clip(loop, other.feature.normal, face, little * pair.reach);
   for (std::uint32_t i = 0; i < loop.count; i++) {
     const Corner& c = loop.corners[i];
     const double gap = dot(outwards, c.x - plane);
@@ -149,7 +149,7 @@ void add_open_points(const FeaturePair& pair, bool face_of_a, const Separation& 
   const Vec3 outwards = side_of(pair, face_of_a).feature.normal, normal = face_of_a ? -outwards : outwards;
   PointList open;
   add_face_points(pair, face_of_a, dot(normal, nearest.normal) < like_the_face ? 0.0 : -infinity, open);
-  const double near = where_edges_meet * pair.size;
+  const double near = where_edges_meet * pair.reach;
   for (std::uint32_t i = 0; i < open.count; i++) {
     const Vec3 on_a = open.points[i].on_a;
     if (norm2(on_a - nearest.on_a) > near * near && !has_point_at(list, on_a, near)) list.add(open.points[i]);
@@ -160,20 +160,20 @@ void add_open_points(const FeaturePair& pair, bool face_of_a, const Separation& 
 
 void set_feature_points(const FeaturePair& pair, const Separation& nearest, Manifold& manifold) {
   manifold.count = 0;
-  const double little_gap = little * pair.size, good = nearest.distance - as_good_a_face * pair.size;
+  const double little_gap = little * pair.reach, good = nearest.distance - as_good_a_face * pair.reach;
   const double gap_a = face_gap(pair, true), gap_b = face_gap(pair, false);
   PointList list;
   if (gap_a >= good || gap_b >= good) {
     add_face_points(pair, prefers_a(pair, gap_a >= good, gap_b >= good), -infinity, list);
     if (nearest.distance < least_gap(list) - little_gap) list.add(nearest_point(nearest));
-    keep_points(list, pair.size, pair.turning, manifold);
+    keep_points(list, pair.reach, pair.turn_way, manifold);
     return;
   }
   add_points_along_lines(pair, nearest.normal, list);
   if (std::fabs(nearest.distance - least_gap(list)) > little_gap)
     manifold.points[manifold.count++] = nearest_point(nearest);
   if (pair.a.feature.is_face() || pair.b.feature.is_face()) add_open_points(pair, gap_a >= gap_b, nearest, list);
-  keep_points(list, pair.size, pair.turning, manifold);
+  keep_points(list, pair.reach, pair.turn_way, manifold);
 }
 
 void convex_on_convex(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
@@ -188,8 +188,8 @@ void convex_on_convex(const Geometry& a, const Pose& at_a, const Geometry& b, co
   FeaturePair pair;
   pair.origin = at_b.x;
   pair.margin = ahead.margin;
-  pair.turning = ahead.turning;
-  pair.size = std::fmin(reach_of(a), reach_of(b));
+  pair.turn_way = ahead.turn_way;
+  pair.reach = std::fmin(reach_of(a), reach_of(b));
   pair.a.core = core_of(a);
   pair.a.pose = {at_a.x - at_b.x, at_a.R};
   pair.b.core = core_of(b);

@@ -18,7 +18,7 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
     Going world, &a = going[number_of(model, c.body_a)],
                  &b = c.body_b < 0 ? world : going[number_of(model, static_cast<std::uint32_t>(c.body_b))];
     const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
-    if (!(nearing > 0.0 && dot(c.placing, c.normal) * lightness > least_stop * nearing)) continue;
+    if (!(nearing > 0.0 && dot(c.place_impulse, c.normal) * lightness > least_stop * nearing)) continue;
     a.v += c.normal * (nearing / (a.mass * lightness));
     b.v -= c.normal * (nearing / (b.mass * lightness));
   }
@@ -48,22 +48,22 @@ void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, s
 std::vector<Contact> held_ahead(const std::vector<Contact>& list) {
   std::vector<Contact> held;
   for (const Contact& c : list) {
-    if (!c.foreseen || c.placed < 0) continue;
+    if (!c.foreseen || c.place_index < 0) continue;
     held.push_back(c);
-    held.back().past = true;
+    held.back().from_before = true;
     held.back().gap = 0.0;
   }
   return held;
 }
 
 /// Adds them by key; those that their shapes have now are not what was held.
-void add_past(const std::vector<Contact>& past, std::vector<Contact>& list) {
+void add_from_before(const std::vector<Contact>& past, std::vector<Contact>& list) {
   if (past.empty()) return;
   const auto is_before = [](const Contact& x, const Contact& y) {
     return std::pair(x.key.a, x.key.b) < std::pair(y.key.a, y.key.b);
   };
   for (Contact& c : list)
-    if (std::binary_search(past.begin(), past.end(), c, is_before)) c.placed = -1;
+    if (std::binary_search(past.begin(), past.end(), c, is_before)) c.place_index = -1;
   const auto middle = static_cast<std::ptrdiff_t>(list.size());
   list.insert(list.end(), past.begin(), past.end());
   std::inplace_merge(list.begin(), list.begin() + middle, list.end(), by_key);
@@ -73,16 +73,16 @@ void add_past(const std::vector<Contact>& past, std::vector<Contact>& list) {
 
 void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   put_bounds(p, finder);
-  place_points(p, finder);
+  locate_points(p, finder);
   find_going(p.model, finder, contacts);
   find_of_shapes(p, finder, contacts, workers);
   FoundContacts& found = finder.found[0];
   if (!finder.solids.empty()) find_of_points(p, finder, contacts, found);
   drop_at_hinges(p, finder.hinged, found.list);
   const std::vector<Contact> past = held_ahead(contacts.list);
-  std::erase_if(contacts.list, [](const Contact& c) { return c.past; });
+  std::erase_if(contacts.list, [](const Contact& c) { return c.from_before; });
   keep_impulses(contacts.list, found.list);
-  add_past(past, found.list);
+  add_from_before(past, found.list);
   contacts.list.swap(found.list);
   contacts.sensed.swap(found.sensed);
   contacts.stale = false;

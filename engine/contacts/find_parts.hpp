@@ -47,8 +47,8 @@ ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32
 /// Those of all pairs of shapes, by key, into the first of `found`.
 void find_of_shapes(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, Workers& workers);
 
-/// Places solid points and tells how they go on.
-void place_points(const ThingsNow& where, ContactFinder& finder);
+/// Finds where solid points are and how they go on.
+void locate_points(const ThingsNow& where, ContactFinder& finder);
 /// Adds those of solid points; their keys are above those of shapes.
 void find_of_points(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, FoundContacts& found);
 

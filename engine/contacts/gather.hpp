@@ -20,7 +20,7 @@ constexpr double contact_tolerance = 4e-11;
 constexpr double swept_tolerance = 4e-7;
 
 /// What one thing was given before a drift, by contacts and by what ties answered, world axes.
-struct Given {
+struct BodyImpulse {
   std::uint32_t body;    ///< in its island
   Vec3 impulse, moment;  ///< [N s], [N m s] about its centre
 };
@@ -46,12 +46,12 @@ struct TouchIsland {
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
   std::size_t first_placed = 0;                    ///< number of the first of that in the stage
-  bool solved = false;       ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now
-  std::vector<Given> given;  ///< what bodies got of that, and of ties, that is taken back as it was given
-  std::vector<TouchScalar> held;  ///< what scalars within bounds gave in `place`
-  ImpulseWork answered;           ///< what ties that move gave of that
-  std::vector<TouchHeat> heat;    ///< of the stage, where it is kept
-  TouchReport report;             ///< of the stage, of it alone
+  bool solved = false;  ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now
+  std::vector<BodyImpulse> given;  ///< what bodies got of that, and of ties, that is taken back as it was given
+  std::vector<TouchScalar> held;   ///< what scalars within bounds gave in `place`
+  ImpulseWork answered;            ///< what ties that move gave of that
+  std::vector<TouchHeat> heat;     ///< of the stage, where it is kept
+  TouchReport report;              ///< of the stage, of it alone
 
   void clear();  ///< keeps memory
 };

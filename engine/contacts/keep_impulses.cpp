@@ -34,9 +34,9 @@ void share_out(const Contact& from, std::span<Contact> points) {
   for (const Contact& c : points) all += weight(c);
   for (Contact& c : points) {
     const double part = weight(c) / all;
-    c.placing += from.placing * part;
+    c.place_impulse += from.place_impulse * part;
     c.total += from.total * part;
-    c.placing_moment += from.placing_moment * part;
+    c.place_moment += from.place_moment * part;
     c.total_moment += from.total_moment * part;
   }
 }
@@ -49,22 +49,22 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
   std::vector<std::size_t> orphans;
   const auto index_of = [&](const Contact& c) { return static_cast<std::size_t>(&c - before.data()); };
   const auto inherit = [&](Contact& c, const Contact& from) {
-    c.placing = from.placing;
+    c.place_impulse = from.place_impulse;
     c.total = from.total;
-    c.placing_moment = from.placing_moment;
+    c.place_moment = from.place_moment;
     c.total_moment = from.total_moment;
     c.approach = from.approach;
     c.rebound = from.rebound;
-    c.missed = std::max(c.missed, from.missed);
-    if (from.sure && norm2(from.placing) > 0.0)
-      c.missed = std::max(c.missed, (std::min(0.0, from.gap) - c.gap) / c.size);
+    c.closed_beyond = std::max(c.closed_beyond, from.closed_beyond);
+    if (from.checks_drift && norm2(from.place_impulse) > 0.0)
+      c.closed_beyond = std::max(c.closed_beyond, (std::min(0.0, from.gap) - c.gap) / c.size);
     inherited[index_of(from)] = 1;
   };
   for (std::size_t i = 0; i < now.size(); i++) {
     while (old != before.end() && old->key < now[i].key) old++;
     if (old != before.end() && old->key == now[i].key) {
       inherit(now[i], *old);
-      now[i].placed = old->placed;
+      now[i].place_index = old->place_index;
     } else {
       orphans.push_back(i);
     }
@@ -82,7 +82,7 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
     if (best != nullptr) inherit(now[i], *best);
   }
   for (const Contact& c : before) {
-    if (c.body_b < 0 || inherited[index_of(c)] || norm2(c.placing) + norm2(c.total) == 0.0) continue;
+    if (c.body_b < 0 || inherited[index_of(c)] || norm2(c.place_impulse) + norm2(c.total) == 0.0) continue;
     if (const std::span<Contact> points = of_shapes(now, c); !points.empty()) share_out(c, points);
   }
 }

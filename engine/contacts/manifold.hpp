@@ -26,9 +26,9 @@ struct Manifold {
 
 /// What is to be foreseen of a pair.
 struct Ahead {
-  Ahead(double gaps, double turn = 0.0) : margin(gaps), turning(turn) {}
-  double margin;   ///< [m] gaps up to this are told
-  double turning;  ///< [m] by which turns within the step may close one gap more than another
+  Ahead(double gaps, double turn = 0.0) : margin(gaps), turn_way(turn) {}
+  double margin;    ///< [m] gaps up to this are told
+  double turn_way;  ///< [m] by which turns within the step may close one gap more than another
 };
 
 /// How a moves against b within the step if nothing stops it.

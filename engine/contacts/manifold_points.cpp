@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::uint32_t most_kept = 4;
 
-/// Parts of the size within which gaps, and parts of lengths and areas within which those, are held for equal.
+/// Parts of the reach within which gaps, and parts of lengths and areas within which those, are held for equal.
 constexpr double same_gap = 1e-9, same_extent = 1e-6;
-/// Parts of the size: how much higher than the lowest a point may be that counts in full, and that counts by half.
+/// Parts of the reach: how much higher than the lowest a point may be that counts in full, and that counts by half.
 constexpr double as_low = 1e-5, half_as_low = 1e-3;
 
 void append(Manifold& manifold, ManifoldPoint point) {
@@ -43,10 +43,10 @@ class Choice {
 using Order = std::array<std::uint32_t, PointList::capacity>;
 
 /// The first that is as deep as the deepest.
-std::uint32_t deepest(const PointList& list, const Order& order, double size) {
+std::uint32_t deepest(const PointList& list, const Order& order, double reach) {
   const double least = least_gap(list);
   for (std::uint32_t i = 0; i < list.count; i++)
-    if (list.points[order[i]].gap <= least + same_gap * size) return order[i];
+    if (list.points[order[i]].gap <= least + same_gap * reach) return order[i];
   return order[0];
 }
 
@@ -58,7 +58,7 @@ double least_gap(const PointList& list) {
   return least;
 }
 
-void keep_points(const PointList& list, double size, double turning, Manifold& manifold) {
+void keep_points(const PointList& list, double reach, double turn_way, Manifold& manifold) {
   if (list.count <= most_kept) {
     for (std::uint32_t i = 0; i < list.count; i++) append(manifold, list.points[i]);
     return;
@@ -70,12 +70,12 @@ void keep_points(const PointList& list, double size, double turning, Manifold& m
     return list.points[i].id != list.points[j].id ? list.points[i].id < list.points[j].id : i < j;
   });
 
-  const double least_extent = same_extent * size;
-  const ManifoldPoint& first = list.points[deepest(list, order, size)];
+  const double least_extent = same_extent * reach;
+  const ManifoldPoint& first = list.points[deepest(list, order, reach)];
   // What is open counts less, lest an edge that touches gives way to a corner that is farther and open.
-  const double low = half_as_low * size + turning;
+  const double low = half_as_low * reach + turn_way;
   const auto counts = [&](const ManifoldPoint& point) {
-    return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * size) / low);
+    return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * reach) / low);
   };
   Choice far(least_extent * least_extent);
   for (auto i = order.begin(); i != end; ++i)

@@ -19,8 +19,8 @@ struct PointList {
 double least_gap(const PointList& list);
 
 /// Adds up to four points of a list to a manifold: the deepest, the one farthest from it, and those farthest from the line
-/// between the two on either side; what is open by more than `turning` [m] and a little counts less. Of points that are equally good within round-off of `size` [m] that of the smallest id.
-/// No two have the same id.
-void keep_points(const PointList& list, double size, double turning, Manifold& manifold);
+/// between the two on either side; what is open by more than `turn_way` [m] and a little counts less. Of points that are
+/// equally good within round-off of `reach` [m] that of the smallest id. No two have the same id.
+void keep_points(const PointList& list, double reach, double turn_way, Manifold& manifold);
 
 }  // namespace pantin

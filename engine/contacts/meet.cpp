@@ -40,7 +40,7 @@ void answer_where_nothing_touches(Model& model, const Articulates& articulates, 
 ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& island) {
   ImpulseWork work;
   for (const IslandTie& t : island.problem.ties)
-    (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
+    (t.lever > 0.0 ? work.turns : work.anchors) += dot(t.kept * t.impulse, t.wanted);
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const IslandScalar& s = island.problem.scalars[k];
     add_work(work, articulates, island.scalars[k], s.impulse, s.u - s.bias);
@@ -55,7 +55,7 @@ void close_scalars(TouchIsland& island, const Articulates& articulates) {
     IslandScalar& s = island.problem.scalars[k];
     s.bias = -scalar.row.wanted;
     const Articulate& a = *articulates[scalar.articulate];
-    const bool held = a.touched_scalars[0].size() == a.rows.size() && a.touched_scalars[0][scalar.row.row()] != 0.0;
+    const bool held = a.scalar_impulses[0].size() == a.rows.size() && a.scalar_impulses[0][scalar.row.row()] != 0.0;
     if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
   }
 }
@@ -69,8 +69,8 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
     const IslandContact& c = island.problem.contacts[k];
-    if (from.past || norm2(c.impulse) > 0.0) pushed.push_back({c.a, c.b});
-    if (!from.past || c.b < 0) continue;
+    if (from.from_before || norm2(c.impulse) > 0.0) pushed.push_back({c.a, c.b});
+    if (!from.from_before || c.b < 0) continue;
     if (missing.empty()) missing.assign(island.things.size(), zero3());
     const auto end = [&](std::int32_t body, Vec3 arm) {
       return centre_of(model, articulates, island.things[static_cast<std::size_t>(body)], drifted) + arm;
@@ -87,8 +87,9 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
 void leave_to_past(const std::vector<Contact>& list, std::vector<char>& used) {
   for (std::size_t first = 0, last = 0; first < list.size(); first = last) {
     bool past = false;
-    for (; last < list.size() && list[last].key.same_shapes(list[first].key); last++) past = past || list[last].past;
-    for (std::size_t k = first; past && k < last; k++) used[k] = list[k].past;
+    for (; last < list.size() && list[last].key.same_shapes(list[first].key); last++)
+      past = past || list[last].from_before;
+    for (std::size_t k = first; past && k < last; k++) used[k] = list[k].from_before;
   }
 }
 
@@ -101,8 +102,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
-    c.placed = -1;
-    used[k] = c.past || c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
+    c.place_index = -1;
+    used[k] = c.from_before || c.gap <= (norm2(c.place_impulse) > 0.0 ? held_gap : closed_gap) * c.size;
   }
   leave_to_past(contacts.list, used);
   for (std::size_t k = 0; k < used.size(); k++)
@@ -117,7 +118,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
-      c.other_start = to_frame(c, from.placing);
+      c.other_start = to_frame(c, from.place_impulse);
       c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
       rebounds = rebounds || from.rebound > 0.0;
     }
@@ -125,11 +126,11 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     close_scalars(island, articulates);
     hold_ties(problem);
     if (rebounds) {
-      double gained = 0.0;
+      double done_before = 0.0;
       for (const std::uint32_t thing : !problem.is_tied() ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
-          gained += space.placing_work[i];
-      report.iterations += resolve_impacts(problem, slow_of(settings, problem), gained).iterations;
+          done_before += space.placing_work[i];
+      report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;
     }
     solve_stage(contacts, island, 1, settings.search, report);
     keep_tie_impulses(articulates, island, 1);
@@ -139,7 +140,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
-      c.impulse += c.before_contacts;
+      c.impulse += c.impact_impulse;
       to.total = to_world(c, c.impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
@@ -149,8 +150,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
-    for (IslandTie& t : problem.ties) t.impulse += t.before_contacts;
-    for (IslandScalar& s : problem.scalars) s.impulse += s.before_contacts;
+    for (IslandTie& t : problem.ties) t.impulse += t.earlier_impulse;
+    for (IslandScalar& s : problem.scalars) s.impulse += s.earlier_impulse;
     add_tie_loads(problem, loads);
     tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);

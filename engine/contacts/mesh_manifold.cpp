@@ -14,9 +14,9 @@ namespace {
 
 /// Sine up to which a normal does not lean, and part of the cosine up to which two are the same.
 constexpr double no_lean = 1e-6, same_normal = 1e-10;
-/// Parts of the size within which points are one, and gaps are equal.
+/// Parts of the reach within which points are one, and gaps are equal.
 constexpr double same_place = 1e-7, same_depth = 1e-9;
-/// Part of the size within which one overlap is told for several triangles.
+/// Part of the reach within which one overlap is told for several triangles.
 constexpr double nearby = 0.25;
 
 struct ToldPoint {
@@ -48,7 +48,7 @@ struct MeshScratch {
 struct OnTriangles {
   const Geometry& a;
   const Pose &at_a, &at_b;
-  double margin, size, thickness;  ///< [m]
+  double margin, reach, thickness;  ///< [m]
   ManifoldSink& sink;
   MeshScratch& scratch;
 };
@@ -76,8 +76,8 @@ MeshTriangle turned_triangle(const MeshTriangle& t, const Mat3& R) {
   return turned;
 }
 
-/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, a neighbour tells them, or one may.
-enum class Handling { stay, front, neighbour, perhaps_neighbour };
+/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, or a neighbour tells them.
+enum class Handling { stay, front, neighbour };
 
 /// Of a normal that leans over a convex edge. Where shapes overlap, the way out of one triangle may lead into the next: the
 /// front that lets out first tells them.
@@ -99,7 +99,7 @@ Handling handling_of(const FeatureSide& a, const MeshTriangle& t, const Separati
     const Vec3 along = direction(t.corner[(i + 1) % 3] - t.corner[i]), outwards = cross(along, t.normal);
     if (dot(nearest.normal, outwards) <= no_lean || dot(outwards, t.corner[i] - on_b) > near) continue;
     const Handling handling = t.convex[i] ? over_ridge(a, t, i, along, nearest) : Handling::front;
-    if (handling == Handling::neighbour || handling == Handling::perhaps_neighbour) return handling;
+    if (handling == Handling::neighbour) return handling;
     over_convex = over_convex || handling == Handling::stay;
     over_flat = over_flat || handling == Handling::front;
   }
@@ -112,7 +112,7 @@ void set_front_points(const FeaturePair& pair, Manifold& manifold) {
   const FeatureSide& a = pair.a;
   const Vec3 normal = pair.b.feature.normal;
   const Vec3 lowest = a.pose.to_world(support(a.core, transposed_times(a.pose.R, -normal))) - normal * a.core.rounding;
-  const double gap = dot(normal, lowest), near = same_depth * pair.size;
+  const double gap = dot(normal, lowest), near = same_depth * pair.reach;
   PointList list;
   add_face_points(pair, false, -infinity, list);
   Loop loop;
@@ -120,7 +120,7 @@ void set_front_points(const FeaturePair& pair, Manifold& manifold) {
   clip(loop, normal, pair.b.feature, near);
   if (loop.count > 0 && gap < least_gap(list) - near)
     list.add(nearest_point({gap, normal, pair.origin + lowest, zero3()}));
-  keep_points(list, pair.size, 0.0, manifold);
+  keep_points(list, pair.reach, 0.0, manifold);
 }
 
 bool overlaps_at_all(const Manifold& manifold) {
@@ -130,7 +130,7 @@ bool overlaps_at_all(const Manifold& manifold) {
 
 /// Keeps a triangle without points that overlap, where the shapes do.
 void keep_lost(const OnTriangles& on, const FeaturePair& pair, const MeshTriangle& t, const Separation& nearest) {
-  if (nearest.distance >= -same_depth * on.size) return;
+  if (nearest.distance >= -same_depth * on.reach) return;
   const double height = dot(t.normal, nearest.on_a - pair.origin);
   const ManifoldPoint within = nearest_point({height, t.normal, nearest.on_a, zero3()});
   on.scratch.lost.push_back({within, dot(nearest.normal, t.normal), t.index});
@@ -140,7 +140,7 @@ void keep_lost(const OnTriangles& on, const FeaturePair& pair, const MeshTriangl
 void set_flat_points(const OnTriangles& on, FeaturePair& pair, const MeshTriangle& t, double low, Manifold& manifold) {
   find_feature(pair.a.core, pair.a.pose, -t.normal, pair.a.feature);
   set_front_points(pair, manifold);
-  if (low >= -same_depth * on.size || overlaps_at_all(manifold)) return;
+  if (low >= -same_depth * on.reach || overlaps_at_all(manifold)) return;
   SeparationCache cache{t.normal};
   keep_lost(on, pair, t,
             separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, 0.0, &cache));
@@ -152,12 +152,11 @@ void set_ridged_points(const OnTriangles& on, FeaturePair& pair, const MeshTrian
   const Separation nearest =
       separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, on.margin, &cache);
   if (!(nearest.distance <= on.margin)) return;
-  const double near = as_good_a_face * on.size;
+  const double near = as_good_a_face * on.reach;
   const Handling handling = low >= nearest.distance - near
                                 ? Handling::front
                                 : handling_of(pair.a, t, nearest, nearest.on_b - pair.origin, near);
   if (handling == Handling::neighbour) return;
-  if (handling == Handling::perhaps_neighbour) return keep_lost(on, pair, t, nearest);
   find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -t.normal : -nearest.normal, pair.a.feature);
   if (handling == Handling::front)
     set_front_points(pair, manifold);
@@ -172,8 +171,8 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
   FeaturePair pair;
   pair.origin = on.at_b.to_world(in_mesh.corner[0]);
   pair.margin = on.margin;
-  pair.turning = 0.0;
-  pair.size = on.size;
+  pair.turn_way = 0.0;
+  pair.reach = on.reach;
   pair.a.core = core_of(on.a);
   pair.a.pose = {on.at_a.x - pair.origin, on.at_a.R};
   const MeshTriangle t = turned_triangle(in_mesh, on.at_b.R);
@@ -190,7 +189,7 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
 
 /// Leaves out what a neighbour told at a common edge or corner.
 void drop_told(const OnTriangles& on, Manifold& manifold) {
-  const double near = same_place * on.size;
+  const double near = same_place * on.reach;
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < manifold.count; i++) {
     const ManifoldPoint point = manifold.points[i];
@@ -226,7 +225,7 @@ void tell_one(const OnTriangles& on, const TrianglePoint& p) {
 void tell_points(const OnTriangles& on) {
   std::vector<TrianglePoint>& points = on.scratch.points;
   while (!points.empty()) {
-    const std::size_t rest = part_plane(points, same_place * on.size), count = points.size() - rest;
+    const std::size_t rest = part_plane(points, same_place * on.reach), count = points.size() - rest;
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(rest);
     Vec3 middle = zero3();
     for (auto p = first; p != points.end(); ++p) middle += p->point.on_a / static_cast<double>(count);
@@ -240,7 +239,7 @@ void tell_points(const OnTriangles& on) {
       list.points[list.count - 1].id = i;
     }
     Manifold kept;
-    keep_points(list, on.size, 0.0, kept);
+    keep_points(list, on.reach, 0.0, kept);
     for (std::uint32_t i = 0; i < kept.count; i++) tell_one(on, first[kept.points[i].id]);
     points.resize(rest);
   }
@@ -259,7 +258,7 @@ void tell_lost(const OnTriangles& on) {
   std::sort(lost.begin(), lost.end(), [](const LostTriangle& a, const LostTriangle& b) {
     return a.upright != b.upright ? a.upright > b.upright : a.index < b.index;
   });
-  const double near = nearby * on.size;
+  const double near = nearby * on.reach;
   for (const LostTriangle& l : lost) {
     const Vec3 on_a = l.point.on_a;
     const auto is_near = [&](const ToldPoint& other) {

@@ -13,13 +13,13 @@ namespace pantin {
 namespace {
 
 /// Whether one of these shapes kept the other out in the last drift: they touch, and neither passes the other by.
-bool held(const Contacts& contacts, const ContactKey& key) {
+bool kept_apart(const Contacts& contacts, const ContactKey& key) {
   const auto before = [](const Contact& c, const ContactKey& k) {
     return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
   };
   auto c = std::lower_bound(contacts.list.begin(), contacts.list.end(), key, before);
   for (; c != contacts.list.end() && c->key.same_shapes(key); c++)
-    if (norm2(c->placing) > 0.0) return true;
+    if (norm2(c->place_impulse) > 0.0) return true;
   return false;
 }
 
@@ -61,7 +61,9 @@ class Collector final : public ManifoldSink {
       if (m.meeting && p.id != inner_ball_id) foresee(c, p, *m.meeting, in_point);
     }
   }
-  Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : motion_even_if_held(); }
+  Travel motion() const override {
+    return kept_apart(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : motion_even_if_held();
+  }
   Travel motion_even_if_held() const override { return travel(a_, b_, h_); }
 
  private:

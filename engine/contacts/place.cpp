@@ -33,7 +33,7 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
                 const std::vector<BodyLoad>& impulses, bool drifted) {
   for (std::size_t i = 0; i < island.things.size(); i++) {
     const std::uint32_t thing = island.things[i];
-    Given given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
+    BodyImpulse given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
     if (island_number(model, articulates.size(), thing) < articulates.size()) {
       const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
       given.impulse = (after.v - before.v) * before.mass;
@@ -54,7 +54,7 @@ double rebound_of(const Contact& c, const TouchSettings& settings, double slow) 
 Vec3 turned_by(const TouchIsland& island, const Contact& contact, const IslandContact& c) {
   if (!contact.foreseen || c.b < 0) return zero3();
   const auto end = [&](std::int32_t body, Vec3 arm) { return island.states[static_cast<std::size_t>(body)].x + arm; };
-  return cross(end(c.a, c.ra) - end(c.b, c.rb), contact.placing);
+  return cross(end(c.a, c.ra) - end(c.b, c.rb), contact.place_impulse);
 }
 
 /// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
@@ -99,19 +99,19 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double 
   ContactIsland& problem = island.problem;
   double largest = 0.0;
   for (const std::size_t k : island.contacts)
-    largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
+    largest = std::max(largest, dot(contacts.list[k].place_impulse, contacts.list[k].normal));
   for (std::size_t k = 0; k < problem.contacts.size(); k++) {
     Contact& from = contacts.list[island.contacts[k]];
     IslandContact& c = problem.contacts[k];
     c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
     from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
-    double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
+    double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.place_impulse, from.normal)));
     if (from.foreseen && c.b >= 0 && from.approach < -slow)  // they part again for the rest of the drift
       gap -= from.restitution * std::max(0.0, -from.approach - gap);
     c.bias = to_frame(c, from.belt);
     c.bias[0] = gap;
     c.bias += turning_apart(island, c, from, h);
-    c.start = to_frame(c, from.placing);
+    c.start = to_frame(c, from.place_impulse);
   }
 }
 
@@ -132,7 +132,7 @@ void hold_turning_ties(TouchIsland& island, double h) {
   }
   std::vector<std::array<Vec3, 2>> free;
   for (const IslandBody& b : problem.bodies) free.push_back({b.v0, b.w0});
-  start_from_rest(problem);
+  start_without_impulses(problem);
   const double before = kinetic_energy(problem);
   hold_ties(problem);
   if (kinetic_energy(problem) - before <= most * before + work_of_ties(problem)) return;
@@ -162,7 +162,7 @@ ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, st
     Condition& c = condition(a, a.rows[from.row.row()]);
     const bool jams = is_jammed(s, from.row, c);
     if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
-    const double impulse = s.impulse + (jams ? s.before_contacts : 0.0);
+    const double impulse = s.impulse + (jams ? s.earlier_impulse : 0.0);
     if (jams) jam(c);
     add_load(island.problem, loads, s, impulse);
     add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
@@ -220,10 +220,10 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       free_motors(*articulate);
     articulate->touches = false;
   }
-  std::erase_if(contacts.list, [](const Contact& c) { return c.past; });
+  std::erase_if(contacts.list, [](const Contact& c) { return c.from_before; });
   for (Contact& c : contacts.list) {
     c.rebound = c.approach = 0.0;
-    if (settings.at == 0.0) c.missed = 0.0;
+    if (settings.at == 0.0) c.closed_beyond = 0.0;
   }
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
@@ -240,22 +240,22 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     want_no_overlaps(island, contacts, h, slow);
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
-    start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
+    start_rolls(problem, contacts, island.contacts, &Contact::place_moment);
     start_ties(island, articulates, 0);
     set_scalars(island, articulates, h, 0.5 * h);
     hold_turning_ties(island, h);
     island.solved = solve_stage(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
-    keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
+    keep_rolls(problem, contacts, island.contacts, &Contact::place_moment);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
-      to.placing = to_world(c, c.impulse);
+      to.place_impulse = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
-      to.sure = island.solved && problem.is_tied();
-      if (norm2(to.placing) == 0.0) continue;
-      island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal,
+      to.checks_drift = island.solved && problem.is_tied();
+      if (norm2(to.place_impulse) == 0.0) continue;
+      island.placed.push_back({to.body_a, to.body_b, to.key.b, to.place_impulse, to.place_moment, c.ra, c.rb, to.normal,
                                to.foreseen, turned_by(island, to, c), c.a, c.b});
     }
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
@@ -265,7 +265,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   for (TouchIsland& island : islands) {
     island.first_placed = static_cast<std::size_t>(next);
     for (const std::size_t k : island.contacts)
-      contacts.list[k].placed = norm2(contacts.list[k].placing) > 0.0 ? next++ : -1;
+      contacts.list[k].place_index = norm2(contacts.list[k].place_impulse) > 0.0 ? next++ : -1;
   }
   collect_heat(contacts, islands);
   hold_again(articulates);

@@ -73,7 +73,7 @@ void points_on_points(const ThingsNow& p, ContactFinder& finder, const Contacts&
 
 }  // namespace
 
-void place_points(const ThingsNow& p, ContactFinder& finder) {
+void locate_points(const ThingsNow& p, ContactFinder& finder) {
   finder.points_now.clear();
   for (const SolidPoint& point : finder.solids) {
     const std::uint32_t thing = point_thing(point.slot);

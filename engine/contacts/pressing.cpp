@@ -18,7 +18,7 @@ Pressing pressing_of(const std::vector<Contact>& list, std::size_t first) {
   Pressing p;
   for (std::size_t k = first; k < list.size() && same_things(list[k], list[first]); k++) {
     p.last += dot(list[k].total, list[k].normal);
-    p.placed += dot(list[k].placing, list[k].normal);
+    p.placed += dot(list[k].place_impulse, list[k].normal);
   }
   return p;
 }
@@ -47,8 +47,8 @@ std::vector<BodyLoad> pressing_impulses(const Model& model, const Articulates& a
       const Pressing pressing = pressing_of(contacts.list, k);
       share = drifted ? share_of_placed(pressing) : share_of_last(pressing);
     }
-    const Vec3 impulse = (drifted ? c.placing : c.total) * share,
-               moment = (drifted ? c.placing_moment : c.total_moment) * share;
+    const Vec3 impulse = (drifted ? c.place_impulse : c.total) * share,
+               moment = (drifted ? c.place_moment : c.total_moment) * share;
     const auto add = [&](std::uint32_t thing, double sign) {
       BodyLoad& load = loads[number_of(model, thing)];
       load.force += model.plane.along(impulse) * sign;

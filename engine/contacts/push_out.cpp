@@ -57,7 +57,7 @@ bool is_alone(const TouchIsland& island, const Articulates& articulates, const C
 }
 
 /// Takes contacts along with what was displaced a little; they are found anew where it was more.
-void follow(const Model& model, const std::vector<Displaced>& displaced, Contacts& contacts) {
+void move_along(const Model& model, const std::vector<Displaced>& displaced, Contacts& contacts) {
   constexpr double little = 5e-3;  // of the size: within the margin of bounds
   for (Contact& c : contacts.list) {
     const Vec3 of_a = displaced[number_of(model, c.body_a)].at(c.at);
@@ -78,7 +78,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
   bool any = false;
   for (std::size_t k = 0; k < used.size(); k++) {
     const Contact& c = contacts.list[k];
-    used[k] = !c.past && c.gap <= 0.02 * c.size;
+    used[k] = !c.from_before && c.gap <= 0.02 * c.size;
     any = any || c.gap < -told_overlap * c.size;
   }
   if (!any) return;
@@ -133,7 +133,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     report.work += kinetic_energy_now(model, island) - before;
   });
   hold_again(articulates);
-  follow(model, displaced, contacts);
+  move_along(model, displaced, contacts);
 }
 
 }  // namespace pantin

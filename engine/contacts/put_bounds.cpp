@@ -13,7 +13,7 @@ Pose in_principal_axes(const Body& body, const Shape& shape) {
   return {rotate(to_axes, shape.at - body.centre), matrix(to_axes * shape.orientation)};
 }
 
-ShapeNow place(const ThingsNow& p, const Shape& shape) {
+ShapeNow locate(const ThingsNow& p, const Shape& shape) {
   ShapeNow now;
   now.thickness = thickness_of(shape.geometry);
   now.reach = reach_of(shape.geometry);
@@ -37,7 +37,7 @@ ShapeNow place(const ThingsNow& p, const Shape& shape) {
 
 void put(const ThingsNow& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
-  const ShapeNow& now = finder.shapes_now[s] = place(p, shape);
+  const ShapeNow& now = finder.shapes_now[s] = locate(p, shape);
   const double slack = now.moves ? now.margin + 0.1 * now.thickness : 0.0;
   const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
   finder.broad_phase.put({widened(bounds_of(shape.geometry, now.pose), now.margin), s, now.moves, owner}, slack);

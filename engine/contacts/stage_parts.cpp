@@ -28,13 +28,13 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
 
 ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
   if (!settings.drifted) load(a, model, settings.gravity);
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   const WantedVelocities as_now(a, settings.step, settings.at);
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   const ImpulseWork work = answer(a);
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   if (!settings.drifted)
     for (const Node& n : a.nodes) store(n, model);
   return work;
@@ -43,7 +43,7 @@ ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& set
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse,
               double velocity) {
   const double by = std::clamp(velocity, std::min(0.0, s.row.wanted), std::max(0.0, s.row.wanted));
-  (s.row.is_angular(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * by;
+  (s.row.is_angular(*articulates[s.articulate]) ? work.turns : work.anchors) += impulse * by;
 }
 
 double slow_of(const TouchSettings& settings, const ContactIsland& island) {
@@ -57,16 +57,16 @@ void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vect
 
 void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
   for (const std::uint32_t a : island.articulates)
-    articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
+    articulates[a]->tie_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
-    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] =
+    articulates[island.rows[k][0]]->tie_impulses[static_cast<std::size_t>(stage)][island.rows[k][1]] =
         island.problem.ties[k].impulse;
   for (const std::uint32_t a : island.articulates)
     if (!island.scalars.empty())
-      articulates[a]->touched_scalars[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
+      articulates[a]->scalar_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
   for (std::size_t k = 0; k < island.scalars.size(); k++)
     articulates[island.scalars[k].articulate]
-        ->touched_scalars[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
+        ->scalar_impulses[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
         island.problem.scalars[k].impulse;
 }
 

@@ -29,12 +29,12 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
   for (std::size_t k = 0; k < island.rows.size(); k++) {
     const Articulate& a = *articulates[island.rows[k][0]];
     IslandTie& t = island.problem.ties[k];
-    if (a.touched[stage].size() == a.rows.size()) t.start = t.kept * a.touched[stage][island.rows[k][1]];
+    if (a.tie_impulses[stage].size() == a.rows.size()) t.start = t.kept * a.tie_impulses[stage][island.rows[k][1]];
   }
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const Articulate& a = *articulates[island.scalars[k].articulate];
-    if (a.touched_scalars[stage].size() == a.rows.size())
-      island.problem.scalars[k].start = a.touched_scalars[stage][island.scalars[k].row.row()];
+    if (a.scalar_impulses[stage].size() == a.rows.size())
+      island.problem.scalars[k].start = a.scalar_impulses[stage][island.scalars[k].row.row()];
   }
 }
 
@@ -42,7 +42,7 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
 inline void act_where_met(TouchIsland& island, const Contacts& contacts, bool after) {
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
-    if (!from.foreseen || from.past != after) continue;
+    if (!from.foreseen || from.from_before != after) continue;
     IslandContact& c = island.problem.contacts[k];
     c.ra = from.arm_a;
     if (c.b >= 0) c.rb = from.arm_b;

@@ -28,7 +28,8 @@ std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<c
   for (const TouchIsland& island : islands) count += island.placed.size();
   std::vector<const Contact*> now(count, nullptr);
   for (const Contact& c : contacts.list)
-    if (c.placed >= 0 && !c.past && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
+    if (c.place_index >= 0 && !c.from_before && c.gap <= closed_gap * c.size)
+      now[static_cast<std::size_t>(c.place_index)] = &c;
   return now;
 }
 
@@ -49,7 +50,7 @@ class TakeBack {
   /// Returns the change of the kinetic energy [J].
   double run() {
     if (island_.solved) lose_as_then();
-    for (const Given& g : island_.given) lose(g);
+    for (const BodyImpulse& g : island_.given) lose(g);
     if (island_.solved) lose_as_now();
     lose_scalars();
     double work = 0.0;
@@ -59,7 +60,7 @@ class TakeBack {
   }
 
  private:
-  void lose(const Given& g) {
+  void lose(const BodyImpulse& g) {
     losses_[g.body].force += g.impulse;
     losses_[g.body].moment += g.moment;
   }
@@ -70,8 +71,8 @@ class TakeBack {
   template <class F>
   void each_given(const Placing& p, Vec3 impulse, Vec3 moment, Vec3 arm_a, Vec3 arm_b, F&& f) {
     const auto one = [&](std::int32_t body, Vec3 arm, double sign) {
-      f(Given{static_cast<std::uint32_t>(body), model_.plane.along(impulse) * sign,
-              (cross(arm, impulse) + moment) * sign});
+      f(BodyImpulse{static_cast<std::uint32_t>(body), model_.plane.along(impulse) * sign,
+                    (cross(arm, impulse) + moment) * sign});
     };
     one(p.a, arm_a, -1.0);
     if (p.b >= 0) one(p.b, arm_b, 1.0);
@@ -81,7 +82,7 @@ class TakeBack {
     for (std::size_t k = 0; k < now_.size(); k++) {
       const Placing& p = island_.placed[k];
       if (now_[k]) continue;
-      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) {
+      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
         if (p.foreseen)
           lose(g);
         else
@@ -99,7 +100,7 @@ class TakeBack {
         return body < 0 ? zero3() : now_[k]->at - centre(static_cast<std::size_t>(body));
       };
       each_given(p, turned_with(p.normal, normal, p.impulse), turned_with(p.normal, normal, p.moment), arm(p.a),
-                 arm(p.b), [&](const Given& g) { lose(g); });
+                 arm(p.b), [&](const BodyImpulse& g) { lose(g); });
     }
   }
   /// What scalars within bounds gave, as they would give it now.
@@ -140,13 +141,13 @@ class TakeBack {
                                           [](const Placing& p) { return p.foreseen && p.b >= 0; });
     if (island_.given.empty() && !any_foreseen) return 0.0;
     std::vector<Vec3> missing(island_.things.size(), zero3());  // [N m s]
-    for (const Given& g : island_.given) missing[g.body] += angular(g);
+    for (const BodyImpulse& g : island_.given) missing[g.body] += angular(g);
     std::vector<std::array<std::int32_t, 2>> pushed;
     for (const Placing& p : island_.placed) {
       pushed.push_back({p.a, p.b});
       if (!p.foreseen || p.b < 0) continue;
       Vec3 lost = zero3();
-      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) {
+      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
         lost += angular(g);
         if (!island_.solved) missing[g.body] -= angular(g);
       });
@@ -155,7 +156,7 @@ class TakeBack {
     return turn_back(model_, articulates_, island_, settings_.drifted, pushed, missing);
   }
   /// About the origin [N m s].
-  Vec3 angular(const Given& g) const { return cross(centre(g.body), g.impulse) + g.moment; }
+  Vec3 angular(const BodyImpulse& g) const { return cross(centre(g.body), g.impulse) + g.moment; }
 
   TouchIsland& island_;
   std::span<const Contact* const> now_;
@@ -183,7 +184,7 @@ void take_back(TouchSpace& space, Workers& workers, Model& model, const Articula
     HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
     const std::span of_island = std::span(now).subspan(island.first_placed, island.placed.size());
     report.work = TakeBack(island, of_island, space, model, articulates, settings).run() + island.answered.all();
-    report.ties.ends -= island.answered.ends;
+    report.ties.anchors -= island.answered.anchors;
     report.ties.turns -= island.answered.turns;
     heat.add(report.work);
   });

@@ -72,7 +72,7 @@ void require_one_holder(const World& world, const std::vector<Member>& members) 
       if (rule_of(c).parts_points)
         require(!c.b || !std::binary_search(all.begin(), all.end(), c.a == m.point ? c.b : c.a),
                 "hinge: ", describe(world, id), " keeps two of these points apart; remove it first");
-      else if (c.pins()) {
+      else if (pins(c)) {
         require(!held, "hinge: the points are held twice, by ", held ? describe(world, held) : "", " and by ",
                 describe(world, id), "; remove one of them first");
         held = id;
@@ -145,7 +145,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
     point.row_force = zero3();
     world.particles[point.own].asleep_in = hinge;
   }
-  touch(world, hinge);
+  mark_edited(world, hinge);
   if (def.axis) add_axes(world, hinge, bodies, *def.axis);
   return hinge;
 }

@@ -147,7 +147,7 @@ void set_breaks_at(World& world, ConstraintId id, const Breaking& breaks_at) {
   require_unlocked(world, "breaks_at");
   require_breaking(describe(world, id), breaks_at);
   Constraint& c = world.constraints[id];
-  if (c.breaks_at.possible() != breaks_at.possible()) touch(world, c);
+  if (c.breaks_at.possible() != breaks_at.possible()) mark_edited(world, c);
   c.breaks_at = breaks_at;
 }
 
@@ -156,7 +156,7 @@ void set_breaks_at(World& world, ParticleId id, const Breaking& breaks_at) {
   Particle& hinge = world.particles[id];
   require(hinge.is_hinge(), "breaks_at: ", describe(world, id), " is no hinge");
   require_breaking(describe(world, id), breaks_at);
-  if (hinge.breaks_at.possible() != breaks_at.possible()) touch(world, id);
+  if (hinge.breaks_at.possible() != breaks_at.possible()) mark_edited(world, id);
   hinge.breaks_at = breaks_at;
 }
 
@@ -169,7 +169,7 @@ void set_enabled(World& world, ParticleId id, bool enabled) {
   hinge.enabled = enabled;
   for (ConstraintId axis : hinge.axes) set_enabled(world, axis, enabled);
   for (PointId point : hinge.points) world.points[point].row_force = zero3();
-  touch(world, id);
+  mark_edited(world, id);
 }
 
 void break_constraints(World& world) {

@@ -60,7 +60,7 @@ void reweigh(World& world, BodyId body, Change change, Undo undo) {
     throw;
   }
   post(world, Source::edit, energy_of(world, body) - before);
-  touch(world, body);
+  mark_edited(world, body);
 }
 
 /// Whether nothing can be said against a vec. What a thing is called takes longer than to move it, so it is asked last.
@@ -109,7 +109,7 @@ void set_mass(World& world, PointId id, double mass) {
     require_positive(describe(world, id), "mass", mass, "kg");
     disturb_site(world, point.particle);
     counted(world, id, [&] { point.mass = mass; });
-    touch(world, id);
+    mark_edited(world, id);
   }
 }
 

@@ -56,7 +56,7 @@ void wake(World& world, PointId id, const Particle& shared) {
 
 void end_ring(World& world, ParticleId hinge, std::string who) {
   disturb_sites(world);
-  touch(world, hinge);
+  mark_edited(world, hinge);
   drop_axes(world, hinge, {});
   const Particle shared = world.particles[hinge];
   for (ConnectionId c : shared.connections) remove(world, c);
@@ -71,7 +71,7 @@ void leave_ring(World& world, PointId point, const std::string& who) {
   if (hinge == world.points[point].own) return;
   if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
   disturb_sites(world);
-  touch(world, hinge);
+  mark_edited(world, hinge);
   drop_axes(world, hinge, world.points[point].body);
   wake(world, point, world.particles[hinge]);
   std::erase(world.particles[hinge].points, point);
@@ -96,21 +96,16 @@ void erase_point(World& world, PointId point, const std::string& what) {
 
 ConstraintId holder(const Model& model, ParticleId ring) {
   for (PointId p : model.particles[awake(model, ring)].points)
-    for (ConstraintId id : model.points[p].constraints) {
-      const Constraint& c = model.constraints[id];
-      const bool rigid = c.pins();
-      if (rigid) return id;
-    }
+    for (ConstraintId id : model.points[p].constraints)
+      if (pins(model.constraints[id])) return id;
   return {};
 }
 
 void require_free_of_holders(const World& world, std::string_view call, PointId point, ConstraintId but) {
   const ConstraintId held = holder(world, world.points[point].particle);
   if (!held || held == but) return;
-  const bool nailed = world.constraints[held].kind == ConstraintKind::nail;
   throw Error(text(call, ": ", describe(world, world.points[point].particle), " is already ",
-                   nailed ? "nailed" : "held by a follow without max_force", " (", describe(world, held),
-                   "); remove that first"));
+                   pins(world.constraints[held]), " (", describe(world, held), "); remove that first"));
 }
 
 Vec3 present(World& world, const std::function<Vec3(double)>& position) {

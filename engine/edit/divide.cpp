@@ -268,7 +268,7 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
   const std::string who = describe(world, body);
   acted(world);
   disturb_sites(world);
-  touch(world, body);
+  mark_edited(world, body);
   disturb(world, body);
   const double before = energy_of(world, body);
   const Vec3 at = origin(world, body);
@@ -310,7 +310,7 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
     update_mass(world, id);
     if (world.motion_of(id).freedom == Freedom::point) drop_rotations(world, id);
     set_momenta(world, id, motions[i].p, rotate(motions[i].q, motions[i].angular));
-    if (id != body) touch(world, id);
+    if (id != body) mark_edited(world, id);
     after += energy_of(world, id);
   }
   world.places_changed = true;

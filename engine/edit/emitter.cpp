@@ -126,7 +126,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
     particle.lifetime = lifetime;
     await_end(world, world.points[point].own);
   }
-  touch(world, point);
+  mark_edited(world, point);
   post(world, Source::emitter, energy_of(world, point));
 }
 

@@ -151,7 +151,7 @@ namespace {
 void touch_solved(World& world, const Connection& c) {
   if (c.solve == Solve::explicitly) return;
   for (ParticleId end : {c.particles[0], c.particles[1]})
-    if (end && world.particles.alive(end)) touch(world, end);
+    if (end && world.particles.alive(end)) mark_edited(world, end);
 }
 
 void take_out(World& world, ConnectionId id, Obituary obituary) {

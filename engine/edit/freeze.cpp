@@ -103,7 +103,7 @@ void set_free(World& world, PointId id, Vec3 at, Vec3 velocity) {
   point.articulate = -1;
   point.name.clear();
   world.motion_of(id) = {at, velocity};
-  touch(world, id);
+  mark_edited(world, id);
 }
 
 PointId own_mass_point(World& world, BodyId body) {
@@ -123,7 +123,7 @@ BodyId body_of_points(World& world, const std::vector<PointId>& points, std::str
   double before = 0.0;
   for (PointId p : points) {
     before += energy_of(world, p);
-    touch(world, p);
+    mark_edited(world, p);
     disturb(world, p);
   }
   part_ties_within(world, points, text(culprit(world), ", freezing it"));
@@ -139,7 +139,7 @@ BodyId body_of_points(World& world, const std::vector<PointId>& points, std::str
     world.motion_of(body).torque += world.plane.about(cross(position(world, p) - kept.centre, world.points[p].force));
     world.points[p].force = zero3();
   }
-  touch(world, body);
+  mark_edited(world, body);
   post(world, Source::merge, energy_of(world, body) - before);
   return body;
 }
@@ -169,7 +169,7 @@ std::vector<ParticleId> shatter(World& world, BodyId body) {
 
   acted(world);
   disturb_sites(world);
-  touch(world, body);
+  mark_edited(world, body);
   disturb(world, body);
   const double before = energy_of(world, body);
   for (Fragment& f : fragments)

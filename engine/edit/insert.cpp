@@ -50,7 +50,7 @@ void check_constraint(const World& world, Constraint& c, ConstraintId same) {
   require_positive(call, "time_constant", c.time_constant, "s");
   if (rule.check != nullptr) rule.check(world, c);
   if (rule.keeps.name != nullptr) require_kept(call, c, c.by_speed ? c.number.rate : c.number.now);
-  if (c.pins()) require_free_of_holders(world, call, c.a, same);
+  if (pins(c)) require_free_of_holders(world, call, c.a, same);
   require_in_plane(world, c);
 }
 
@@ -64,13 +64,13 @@ ConstraintId insert_constraint(World& world, Constraint c) {
     world.bodies[body].constraints.push_back(id);
     if (world.motion_of(body).freedom == Freedom::line) update_mass(world, body);
   });
-  touch(world, row);
+  mark_edited(world, row);
   return id;
 }
 
 void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   const Constraint& c = world.constraints[id];
-  touch(world, c);
+  mark_edited(world, c);
   c.each_point([&](PointId point) { std::erase(world.points[point].constraints, id); });
   c.each_body([&](BodyId body) { std::erase(world.bodies[body].constraints, id); });
   if (c.ring() && world.particles.alive(c.ring())) std::erase(world.particles[c.ring()].axes, id);

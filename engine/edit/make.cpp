@@ -106,7 +106,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.look = def.look;
   particle.curves = std::move(curves);
   note_site(world, id);
-  touch(world, point);
+  mark_edited(world, point);
   post(world, Source::edit, energy_of(world, point));
   return id;
 }
@@ -136,7 +136,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   }
   update_mass(world, id);
   start(world, id, def, frame);
-  touch(world, id);
+  mark_edited(world, id);
   post(world, Source::edit, energy_of(world, id));
   return id;
 }
@@ -159,7 +159,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   const PointId point = make_body_point(world, def, usual, body);
   world.bodies[body].points.push_back(point);
   update_mass(world, body);
-  touch(world, body);
+  mark_edited(world, body);
   post(world, Source::edit, energy_of(world, body) - before);
   return point;
 }

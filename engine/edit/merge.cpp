@@ -79,7 +79,7 @@ void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& f
   std::erase(world.bodies[b].constraints, id);
   std::vector<ConstraintId>& list = world.bodies[a].constraints;
   if (std::find(list.begin(), list.end(), id) == list.end()) list.push_back(id);
-  touch(world, c);
+  mark_edited(world, c);
 }
 
 /// Axes that hinges of both bodies gave to b but not to a are a's now; b is to leave these hinges.
@@ -170,7 +170,7 @@ void merge(World& world, BodyId a, BodyId b) {
   const std::string who = text(culprit(world), ", merging it into ", describe(world, a));
 
   for (BodyId id : both) {
-    touch(world, id);
+    mark_edited(world, id);
     disturb(world, id);
   }
   std::vector<PointId> points = world.bodies[a].points;
@@ -193,7 +193,7 @@ void merge(World& world, BodyId a, BodyId b) {
   update_mass(world, a);
   set_momenta(world, a, kept.p, kept.angular);
   take_pushes(world, a, old_a, old_b);
-  touch(world, a);
+  mark_edited(world, a);
   post(world, Source::merge, energy_of(world, a) - before);
 }
 

@@ -32,7 +32,7 @@ void put_bodies_in_plane(World& world) {
     for (BodyId id : ids) {
       before.emplace_back(world.bodies[id], world.motion_of(id));
       update_mass(world, id);
-      touch(world, id);
+      mark_edited(world, id);
     }
   } catch (const Error&) {
     for (std::size_t i = 0; i < before.size(); i++) {
@@ -64,10 +64,10 @@ void set_plane(World& world, Plane plane) {
   for (PointId id : world.points.ids())
     if (!world.points[id].body) {
       world.motion_of(id).v = plane.along(world.motion_of(id).v);
-      touch(world, id);
+      mark_edited(world, id);
     }
   for (EmitterId id : world.emitters.ids()) world.emitters[id].velocity = plane.along(world.emitters[id].velocity);
-  for (ConstraintId id : world.constraints.ids()) touch(world, world.constraints[id]);
+  for (ConstraintId id : world.constraints.ids()) mark_edited(world, world.constraints[id]);
   world.stiffness_unknown = true;
   set_gravity(world, world.settings.gravity);
 }

@@ -86,7 +86,7 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
   require_unlocked(world, "enabled");
   Constraint& c = world.constraints[id];
   if (c.enabled == enabled) return;
-  touch(world, c);
+  mark_edited(world, c);
   c.enabled = enabled;
   c.force = c.torque = zero3();
   c.tension = 0.0;
@@ -103,7 +103,7 @@ void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> t
   c.position.now = position;
   start_constraint(world, c);
   c.position.of_time = std::move(target);
-  touch(world, c);
+  mark_edited(world, c);
 }
 
 void set_position(World& world, ConstraintId id, Vec3 position) {
@@ -114,7 +114,7 @@ void set_position(World& world, ConstraintId id, Vec3 position) {
   require(c.hand < 0, who, ": it belongs to hand ", c.hand + 1, " and goes where it goes");
   if (c.kind == ConstraintKind::rod) {
     require(!c.b, who, ": both its ends are points; move those");
-    touch(world, c);
+    mark_edited(world, c);
   }
   if (rule_of(c).ends_at_position) require_height(world, who, "position", position, c.position.now);
   wake(world, c);
@@ -131,7 +131,7 @@ void set_max_force(World& world, ConstraintId follow, double force) {
   c.max_force = force;
   if (was == is) return;
   start_constraint(world, c);
-  touch(world, c);
+  mark_edited(world, c);
 }
 
 }  // namespace pantin

@@ -9,7 +9,7 @@ void remove(World& world, BodyId id) {
   require_unlocked(world, "remove");
   const std::string what = describe(world, id);
   disturb_sites(world);
-  touch(world, id);
+  mark_edited(world, id);
   post(world, Source::removal, -energy_of(world, id));
   const std::vector<PointId> points = world.bodies[id].points;
   std::vector<std::string> names;
@@ -30,7 +30,7 @@ void remove(World& world, PointId id) {
   require(!point.body, "remove: ", what, " goes with its body; use remove_point to take it off");
   const ParticleId own = point.own;
   disturb_forces_by_death(world, own);
-  touch(world, id);
+  mark_edited(world, id);
   drop_contacts(world.contacts, point_thing(id.slot - 1));
   post(world, Source::removal, -energy_of(world, id));
   erase_point(world, id, what);
@@ -84,7 +84,7 @@ void remove_point(World& world, PointId id) {
     points = all;
     throw;
   }
-  touch(world, body);
+  mark_edited(world, body);
   erase_point(world, id, what);
   post(world, Source::edit, energy_of(world, body) - before);
   notice(world, Notice::Kind::removed, own, world.particles.story(own));

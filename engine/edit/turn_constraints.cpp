@@ -106,7 +106,7 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
   }
   if (rule_of(c).set != nullptr) {
     rule_of(c).set(c, who, value);
-    touch(world, c);
+    mark_edited(world, c);
   } else {
     c.number.now = value;
   }

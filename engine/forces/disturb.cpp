@@ -73,14 +73,14 @@ void disturb_forces_by_break(World& world, const Connection& connection) {
     if (end && world.particles.alive(end)) note_site(world, awake(world, end));
 }
 
-void note_touched_sites(World& world) {
+void note_edited_sites(World& world) {
   if (world.force_elements_changed || !world.forces || !world.forces->elsewhere) return;
   const auto note = [&](PointId point) {
     const ParticleId own = world.points[point].own;
     note_site(world, own);
     if (const ParticleId ring = world.particles[own].asleep_in) note_site(world, ring);
   };
-  for (const Touched& t : world.touched) {
+  for (const EditedThing& t : world.edited_things) {
     if (t.body && world.bodies.alive(t.body))
       for (PointId point : world.bodies[t.body].points) note(point);
     if (!t.body && world.points.alive(t.point)) note(t.point);

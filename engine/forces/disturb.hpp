@@ -7,7 +7,7 @@ namespace pantin::internal {
 /// Call before an edit that changes which laws act, or on what: the energy of the laws before the edit leaves the balance,
 /// and comes back with the forces of the next step. What else is called "disturb" does the same, before other edits.
 void disturb_forces(World& world);
-/// What bodies and points are, where they are, and what is tied: what is touched is looked at anew, all else stays as it is.
+/// What bodies and points are, where they are, and what is tied: what is edited is looked at anew, all else stays as it is.
 void disturb_sites(World& world);
 /// What laws see of one particle.
 void disturb_site(World& world, ParticleId particle);
@@ -20,6 +20,6 @@ void note_site(World& world, ParticleId particle);
 void disturb_forces_by_death(World& world, ParticleId particle);
 /// A connection is removed.
 void disturb_forces_by_break(World& world, const Connection& connection);
-/// Of what edits have touched.
-void note_touched_sites(World& world);
+/// Of what edits concerned.
+void note_edited_sites(World& world);
 }  // namespace pantin::internal

@@ -163,7 +163,7 @@ void post_forbidden(World& world, double joules) {
 
 void post_tied(World& world, const TiedWork& work) {
   post_nonconservative(world, {work.damper, work.rest});
-  post(world, Source::hand, work.rows.ends);
+  post(world, Source::hand, work.rows.anchors);
   post(world, Source::motor, work.rows.turns);
 }
 

@@ -74,7 +74,7 @@ Still still(const World& world, const Thing& t, double time, double tolerance) {
 }
 
 bool is_closed(const Thing& t) {
-  return !t.articulate || (!t.articulate->fell_back && t.articulate->gaps.open <= 1e-8 * t.articulate->length);
+  return !t.articulate || (!t.articulate->fell_back && t.articulate->gaps.unaccepted <= 1e-8 * t.articulate->length);
 }
 
 /// What laws do to bodies and points: [N], [N m].

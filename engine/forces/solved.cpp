@@ -42,7 +42,7 @@ void choose_solved(World& world) {
     c.solve = solve;
     c.tension = 0.0;
     for (ParticleId end : {c.particles[0], c.particles[1]})
-      if (end) touch(world, end);
+      if (end) mark_edited(world, end);
   }
 }
 

@@ -29,7 +29,7 @@ bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
 bool forbids(const Articulate& a) {
-  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length;
+  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.unaccepted <= 1e-8 * a.length;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, d
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
     load(*a_, world, world.settings.gravity);
-    meet(*a_, world.settings.step, world.stage.from);
+    make_consistent_after_edit(*a_, world.settings.step, world.stage.from);
   } else if (!side.drifted) {
     for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }
@@ -83,7 +83,7 @@ Motions TiedKick::allowed(const Motions& impulses) {
   const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
   if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
   epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
-  a_->exact = false;
+  drop_factor(*a_, FactorOf::projection);
   begin_answers(*a_, epsilon_);
   if (at_rest_)
     for (Condition& c : a_->conditions) c.wanted = zero3();
@@ -149,7 +149,7 @@ void TiedKick::add_forces_of_soft_rows(Motions& to, const Motions& by, double ti
 }
 
 void TiedKick::hold(Condition& c, bool held) {
-  if (c.held != held) a_->exact = false;
+  if (c.held != held) drop_factor(*a_, FactorOf::projection);
   c.held = held;
 }
 
@@ -385,7 +385,7 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
   for (std::size_t s = 0; s < sites.size(); s++) work.rest += dot(spared[s], velocity_at(mean, sites[s])) * dt_;
   for (std::size_t k = 0; k < wanted_.size(); k++) {
     const Condition& c = a_->conditions[k];
-    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
+    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.anchors) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
   if (damps) work.damper = by_laws - work.rest;

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -196,10 +195,6 @@ struct Constraint {
         for (std::size_t k = 0; k < i; k++) seen = seen || body == coupled[k].body_a || body == coupled[k].body_b;
         if (!seen) visit(body);
       }
-  }
-  /// Whether it leaves its point no freedom at all.
-  bool pins() const {
-    return kind == ConstraintKind::nail || (kind == ConstraintKind::follow && !std::isfinite(max_force));
   }
 };
 

@@ -210,27 +210,27 @@ void disturb(Model& m, std::int32_t articulate) {
 
 }  // namespace
 
-void touch(Model& m, BodyId body) {
+void mark_edited(Model& m, BodyId body) {
   m.topology_changed = m.places_changed = true;
-  m.touched.push_back({body, {}, m.motion_of(body).articulate});
+  m.edited_things.push_back({body, {}, m.motion_of(body).articulate});
   m.stirred.push_back(body);
 }
 
-void touch(Model& m, PointId point) {
+void mark_edited(Model& m, PointId point) {
   const Point& p = m.points[point];
-  if (p.body) return touch(m, p.body);
+  if (p.body) return mark_edited(m, p.body);
   m.topology_changed = true;
   m.places_changed = m.places_changed || solid_of(m, p);
-  m.touched.push_back({{}, point, p.articulate});
+  m.edited_things.push_back({{}, point, p.articulate});
 }
 
-void touch(Model& m, ParticleId particle) {
-  for (PointId p : m.particles[awake(m, particle)].points) touch(m, p);
+void mark_edited(Model& m, ParticleId particle) {
+  for (PointId p : m.particles[awake(m, particle)].points) mark_edited(m, p);
 }
 
-void touch(Model& m, const Constraint& constraint) {
+void mark_edited(Model& m, const Constraint& constraint) {
   const auto both = [&](auto id) {
-    touch(m, id);
+    mark_edited(m, id);
     disturb(m, id);
   };
   constraint.each_point([&](PointId point) {

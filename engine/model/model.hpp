@@ -21,7 +21,7 @@
 namespace pantin {
 
 /// A body, or a free point, that an edit concerned; it may have gone since.
-struct Touched {
+struct EditedThing {
   BodyId body;
   PointId point;            ///< where body is null
   std::int32_t articulate;  ///< that it was in, or -1
@@ -45,12 +45,12 @@ struct Model {
   Layers layers;        ///< that shapes and solid families are in
   bool solids = false;  ///< a family is solid
   std::uint64_t next_serial = 1;
-  bool topology_changed = true;         ///< an edit waits for `find_articulates`
-  bool force_elements_changed = false;  ///< an edit concerns which laws act on what
-  bool places_changed = true;           ///< an edit concerns where things are, or their shapes
-  std::vector<Touched> touched;         ///< whose ties are to be looked at anew
-  std::vector<BodyId> stirred;          ///< that an edit or a force concerned: what sleeps with them is to wake
-  std::vector<std::int32_t> disturbed;  ///< articulates whose positions or velocities an edit changed
+  bool topology_changed = true;            ///< an edit waits for `find_articulates`
+  bool force_elements_changed = false;     ///< an edit concerns which laws act on what
+  bool places_changed = true;              ///< an edit concerns where things are, or their shapes
+  std::vector<EditedThing> edited_things;  ///< whose ties are to be looked at anew
+  std::vector<BodyId> stirred;             ///< that an edit or a force concerned: what sleeps with them is to wake
+  std::vector<std::int32_t> disturbed;     ///< articulates whose positions or velocities an edit changed
 
   FreeMotion& motion_of(PointId id) { return (void)points[id], free_motion[id.slot - 1]; }
   const FreeMotion& motion_of(PointId id) const { return (void)points[id], free_motion[id.slot - 1]; }
@@ -119,11 +119,11 @@ double lift(const Model& m, BodyId body);
 
 /// Has the ties of a thing looked at anew before the next step: call where an edit changes mass, positions of points in
 /// their body, or what a thing is tied to.
-void touch(Model& m, BodyId body);
-void touch(Model& m, PointId point);
-void touch(Model& m, ParticleId particle);
+void mark_edited(Model& m, BodyId body);
+void mark_edited(Model& m, PointId point);
+void mark_edited(Model& m, ParticleId particle);
 /// The same, and the state of what it ties is no longer what the last step left.
-void touch(Model& m, const Constraint& constraint);
+void mark_edited(Model& m, const Constraint& constraint);
 /// Says that an edit changed the position or velocity of a thing: velocities of its articulate are to be made consistent.
 void disturb(Model& m, BodyId body);
 void disturb(Model& m, PointId point);

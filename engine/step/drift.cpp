@@ -126,7 +126,7 @@ void count(World& world, const Articulate& articulate) {
   world.nonconservative_work += report.nonconservative_work;
   world.ledger.posted += std::fabs(report.nonconservative_work);
   post_work(world, report);
-  post(world, Source::edit, report.met);
+  post(world, Source::edit, report.after_edit);
   post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
@@ -160,7 +160,7 @@ void tell_stalled(World& world, const Articulate& a) {
 /// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
 void tell_open(World& world, Articulate& a) {
   constexpr std::uint32_t some = 10;
-  a.open_steps = a.gaps.open > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
+  a.open_steps = a.gaps.unaccepted > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
   if (a.open_steps != some) return;
   const Row* worst = nullptr;
   double most = 0.0;
@@ -179,7 +179,7 @@ void tell_open(World& world, Articulate& a) {
 /// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
 void tell_too_stiff(World& world, const Articulate& a) {
   constexpr std::string_view too_stiff = " is too stiff for the step: ";
-  if (!a.fell_back || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
+  if (!a.fell_back || a.effort.failed < most_failed || a.gaps.unaccepted > world.settings.tolerance * a.length) return;
   const StiffBond* stiffest = nullptr;
   double most = 0.0;
   for (const Condition& c : a.conditions) {

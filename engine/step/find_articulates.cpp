@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/state.hpp"
 #include "edit/common.hpp"
@@ -36,8 +36,8 @@ bool is_tied(const World& world, PointId id) {
 
 /// Whether something is to be found anew that was or is tied, or a body: not where free points were only born or have gone.
 bool ties_changed(const World& world) {
-  return std::any_of(world.touched.begin(), world.touched.end(),
-                     [&](const Touched& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
+  return std::any_of(world.edited_things.begin(), world.edited_things.end(),
+                     [&](const EditedThing& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
 }
 
 std::string lift_of(const World& world, BodyId id) {
@@ -75,11 +75,12 @@ void find_changed(World& world) {
   const std::size_t count = world.articulates.size();
   world.unchecked = world.unchecked || topology_changed || world.force_elements_changed;
   if (topology_changed && ties_changed(world)) internal::disturb_sites(world);
-  internal::note_touched_sites(world);
+  internal::note_edited_sites(world);
   if (world.force_elements_changed) choose_solved(world);
-  const Settled settled = pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
-  post(world, Source::edit, settled.energy);
-  tell_lifted(world, settled.lifted);
+  const InertiaChanges changes =
+      pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
+  post(world, Source::edit, changes.energy);
+  tell_lifted(world, changes.lifted);
   if (world.articulates.size() != count) internal::disturb_sites(world);
   if (topology_changed || world.force_elements_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
@@ -87,14 +88,14 @@ void find_changed(World& world) {
 }
 
 /// What an edit left of velocities is made consistent before any force acts.
-void meet_edited(World& world) {
+void make_edited_consistent(World& world) {
   if (!rule_of(world).conserves) return;
   for (const auto& articulate : world.articulates) {
     if (!articulate->edited || articulate->rest.asleep) continue;
     load(*articulate, world, world.settings.gravity);
-    const EnergyOfMeeting met = meet(*articulate, world.settings.step, 0.0);
-    post(world, Source::edit, met.tied);
-    post(world, Source::limit, met.stopped);
+    const EnergyOfConsistency gave = make_consistent_after_edit(*articulate, world.settings.step, 0.0);
+    post(world, Source::edit, gave.tied);
+    post(world, Source::limit, gave.stopped);
     for (const Node& n : articulate->nodes) store(n, world);
   }
 }
@@ -105,7 +106,7 @@ void find_articulates(World& world) {
   begin_stage(world, 0);
   wake_stirred(world);
   find_changed(world);
-  meet_edited(world);
+  make_edited_consistent(world);
 }
 
 }  // namespace pantin::phases

@@ -43,7 +43,7 @@ void put_back(const ArticulateStart& from, Articulate& a) {
     a.rows[k].f = from.forces[k];
     a.rows[k].offset = from.offsets[k];
   }
-  a.has_factor = a.exact = false;
+  a.factor_of = FactorOf::none;
   a.last_h = 0.0;
 }
 

@@ -56,7 +56,7 @@ void divide_for_contacts(World& world) {
   const double before = world.sub_steps.count;
   const Contact* last = nullptr;
   for (const Contact& c : world.contacts.list) {
-    wanted = std::max(wanted, before * std::sqrt(c.missed / most_missed));
+    wanted = std::max(wanted, before * std::sqrt(c.closed_beyond / most_missed));
     if (last && c.key.same_shapes(last->key)) continue;
     last = &c;
     if (is_point(c.body_a)) continue;  // what does not turn is not passed through
@@ -95,7 +95,7 @@ std::vector<BodyLoad> kicks_of(const World& world) {
 }
 
 void count(World& world, const TouchReport& report) {
-  post(world, Source::hand, report.ties.ends);
+  post(world, Source::hand, report.ties.anchors);
   post(world, Source::motor, report.ties.turns);
   world.stats.contact_iterations += report.iterations;
   world.stats.unsolved_islands += report.unsolved;

@@ -126,7 +126,7 @@ TEST_CASE("a removed body takes its points, constraints and positions in hinges 
   const PointId bl = left_of(t.world, t.b), al = left_of(t.world, t.a);
   const ConstraintId nail = add_nail(t.world, al), rod = add_rod(t.world, al, right_of(t.world, t.b));
   t.world.who = [] { return std::string("scene.lua:3"); };
-  t.world.touched.clear();
+  t.world.edited_things.clear();
   remove(t.world, t.a);
   CHECK_FALSE(t.world.points.alive(al));
   CHECK_FALSE(t.world.particles.alive(t.hinge));
@@ -135,7 +135,8 @@ TEST_CASE("a removed body takes its points, constraints and positions in hinges 
   CHECK_THROWS_WITH(t.world.constraints[nail], Contains("by scene.lua:3"));
   CHECK_THROWS_WITH(t.world.constraints[rod], Contains("by scene.lua:3"));
   CHECK_THROWS_WITH(remove(t.world, t.a), "body 'a' was removed at 0 s by scene.lua:3");
-  CHECK(std::any_of(t.world.touched.begin(), t.world.touched.end(), [&](const Touched& it) { return it.body == t.b; }));
+  CHECK(std::any_of(t.world.edited_things.begin(), t.world.edited_things.end(),
+                    [&](const EditedThing& it) { return it.body == t.b; }));
   CHECK(t.world.points.size() == 2);
   CHECK(t.world.particles.size() == 2);
 }

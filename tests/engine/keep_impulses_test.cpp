@@ -16,7 +16,7 @@ Contact point_of_pair(std::uint32_t feature, Vec3 at, double load = 0.0) {
   c.normal = vec(0, 1, 0);
   c.at = at;
   c.total = vec(0, load, 0);
-  c.placing = vec(0, 0.5 * load, 0);
+  c.place_impulse = vec(0, 0.5 * load, 0);
   return c;
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("What points had that are gone acts where it did, by those that the pa
   std::vector<Contact> now = {point_of_pair(11, vec(-0.5, 0, -0.5)), point_of_pair(12, vec(1.5, 0, -0.5)),
                               point_of_pair(13, vec(-0.5, 0, 1.5)), point_of_pair(14, vec(1.5, 0, 1.5))};
   keep_impulses(before, now);
-  for (const auto impulse : {&Contact::total, &Contact::placing}) {
+  for (const auto impulse : {&Contact::total, &Contact::place_impulse}) {
     const Wrench had = wrench(before, impulse), has = wrench(now, impulse);
     CHECK(norm(has.force - had.force) < 1e-12 * norm(had.force));
     CHECK(norm(has.moment - had.moment) < 1e-2 * norm(had.moment));

@@ -195,17 +195,17 @@ TEST_CASE("things are called by name, else by number, and the dead by their stor
 TEST_CASE("touch lists a thing with the articulate that it is in") {
   World world;
   const BodyId id = add_body(world, of_points({mass_at(vec(-1, 0, 0), 1), mass_at(vec(1, 0, 0), 1)}));
-  REQUIRE(world.touched.size() == 1);
-  CHECK(world.touched[0].body == id);
-  CHECK(world.touched[0].articulate == -1);
-  world.touched.clear();
+  REQUIRE(world.edited_things.size() == 1);
+  CHECK(world.edited_things[0].body == id);
+  CHECK(world.edited_things[0].articulate == -1);
+  world.edited_things.clear();
   world.topology_changed = false;
   world.motion_of(id).articulate = 2;
-  touch(world, world.bodies[id].points[0]);
+  mark_edited(world, world.bodies[id].points[0]);
   CHECK(world.topology_changed);
-  REQUIRE(world.touched.size() == 1);
-  CHECK(world.touched[0].body == id);
-  CHECK(world.touched[0].articulate == 2);
+  REQUIRE(world.edited_things.size() == 1);
+  CHECK(world.edited_things[0].body == id);
+  CHECK(world.edited_things[0].articulate == 2);
   disturb(world, world.bodies[id].points[0]);
   CHECK(world.disturbed == std::vector<std::int32_t>{2});
 }

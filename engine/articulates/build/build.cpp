@@ -43,7 +43,7 @@ double lever(const Articulate& a, const Row& row) {
 using RowPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Any row of a coupling may become its head, which meets whatever its rows meet.
-RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& on) {
+RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& rows_on) {
   RowPairs pairs;
   std::vector<std::uint32_t> coupled;
   for (std::uint32_t k = 0; k < edges.size(); k++)
@@ -54,26 +54,26 @@ RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& on) 
       if (j != i) pairs.emplace_back(i, j);
       for (std::int32_t node : {edges[j].a, edges[j].b})
         if (node >= 0)
-          for (std::uint32_t k : on[static_cast<std::size_t>(node)])
+          for (std::uint32_t k : rows_on[static_cast<std::size_t>(node)])
             if (k != i) pairs.insert(pairs.end(), {{i, k}, {k, i}});
     }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-/// Nodes with many rows to nodes of few, which meet at variables of the node. Segments of a string meet each other.
-std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLists& on) {
+/// Nodes with many rows to nodes of few, which meet at variables of the node: no coupled ones, since rows of one coupling meet each other.
+std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLists& rows_on) {
   constexpr std::ptrdiff_t few = 8;
-  const auto rows = [&](std::size_t node) { return std::ssize(on[node]); };
+  const auto rows = [&](std::size_t node) { return std::ssize(rows_on[node]); };
   std::vector<std::uint32_t> hubs;
-  for (std::uint32_t n = 0; n + 1 < on.first.size(); n++) {
+  for (std::uint32_t n = 0; n + 1 < rows_on.first.size(); n++) {
     if (rows(n) <= few) continue;
     const auto leads_to_few = [&](std::uint32_t k) {
       const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
     const auto is_coupled = [&](std::uint32_t k) { return edges[k].rule->coupled; };
-    const auto list = on[n];
+    const auto list = rows_on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
         std::none_of(list.begin(), list.end(), is_coupled))
       hubs.push_back(n);
@@ -82,11 +82,12 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLi
 }
 
 /// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as rows of a coupling.
-RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
+RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on,
+                       const std::vector<std::uint32_t>& hubs) {
   const auto rows = static_cast<std::uint32_t>(edges.size());
-  std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0
+  std::vector<std::uint32_t> variable(rows_on.first.size() - 1, 0);  // of a hub, else 0
   for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
-  const RowPairs pairs = pairs_in_couplings(edges, on);
+  const RowPairs pairs = pairs_in_couplings(edges, rows_on);
   RowLists graph;
   graph.first.reserve(rows + 2 * hubs.size() + 1);
   graph.rows.reserve(4 * std::size_t{rows});
@@ -99,7 +100,7 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const
       if (variable[n] > 0)
         graph.rows.insert(graph.rows.end(), {variable[n], variable[n] + 1});
       else
-        std::copy_if(on[n].begin(), on[n].end(), std::back_inserter(graph.rows),
+        std::copy_if(rows_on[n].begin(), rows_on[n].end(), std::back_inserter(graph.rows),
                      [&](std::uint32_t j) { return j != i; });
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) graph.rows.push_back(pair->second);
@@ -110,7 +111,7 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const
   }
   for (std::uint32_t hub : hubs)
     for (int k = 0; k < 2; k++) {
-      graph.rows.insert(graph.rows.end(), on[hub].begin(), on[hub].end());
+      graph.rows.insert(graph.rows.end(), rows_on[hub].begin(), rows_on[hub].end());
       graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
     }
   return graph;
@@ -164,7 +165,7 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
     return condition;
   }
   const Constraint& c = model.constraints[edge.constraint];
-  condition.length = c.number.now;
+  condition.kept_value = c.number.now;
   condition.turns_axis = edge.angular && !c.coupled().empty() && c.coupled()[edge.index].point_a;
   condition.held = condition.held_before = !has_range(c) && !edge.rule->held_at_end && std::isinf(c.max_torque);
   row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : c.force;
@@ -172,7 +173,7 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
 }
 
 /// What the last steps found out of a row.
-void hand_on(const History::Before& before, Row& row, Condition* condition) {
+void inherit(const History::Match& before, Row& row, Condition* condition) {
   row.f = before.row->f;
   if (condition == nullptr || condition->stiff) return;
   const Condition& old = pantin::condition(*before.articulate, *before.row);
@@ -190,7 +191,7 @@ bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vec
   row.la = edge.la;
   row.lb = edge.lb;
   row.member = edge.member;
-  row.centre = edge.centre;
+  row.star_point = edge.star_point;
   if (edge.angular) row.lever = lever(a, row);
   if (edge.member) {
     row.f = model.points[edge.member].row_force;
@@ -199,10 +200,10 @@ bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vec
     a.conditions.push_back(make_condition(model, edge, row));
     a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
   }
-  const History::Before before = history.row(edge);
+  const History::Match before = history.row(edge);
   a.predictor.forces.push_back(before.row != nullptr ? before.articulate->predictor.forces[before.index()]
                                                      : Predictor::OfRow{});
-  if (before.row != nullptr) hand_on(before, row, edge.member ? nullptr : &a.conditions.back());
+  if (before.row != nullptr) inherit(before, row, edge.member ? nullptr : &a.conditions.back());
   a.rows.push_back(row);
   return before.row != nullptr;
 }
@@ -215,10 +216,10 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   std::vector<Edge> edges;
   edges.reserve(things.size());
   for (Thing t : things) find_edges(model, t, EdgesOf::listed, edges);
-  const RowLists on = rows_of_nodes(things.size(), edges);
-  const std::vector<std::uint32_t> hubs = find_hubs(edges, on);
+  const RowLists rows_on = rows_of_nodes(things.size(), edges);
+  const std::vector<std::uint32_t> hubs = find_hubs(edges, rows_on);
   const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
-  Elimination elimination = minimum_degree(neighbours_of(edges, on, hubs), variables);
+  Elimination elimination = minimum_degree(neighbours_of(edges, rows_on, hubs), variables);
   elimination.order.resize(edges.size());
   std::vector<std::int32_t> position;
   const NodeOrder order = order_nodes(edges, elimination.order, things.size(), position);
@@ -229,7 +230,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   a.serial = serial_of(model, things.front());
   a.factor = lay_out(std::move(elimination.columns));
   a.breakable = std::any_of(edges.begin(), edges.end(), [](const Edge& edge) { return edge.may_break; });
-  history.hand_on(a);
+  history.inherit(a);
   add_nodes(a, model, things, order);
   a.rows.reserve(edges.size());
   for (std::uint32_t k : elimination.order)
@@ -245,7 +246,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   find_dimensions(a, model);
   lay_out_batches(a);
   find_tiles(a);
-  history.hand_on(a, order.things);
+  history.inherit(a, order.things);
   return articulate;
 }
 
@@ -263,8 +264,8 @@ bool weighs_as_built(const Model& model, const Node& node) {
 }  // namespace
 
 bool is_row_of(const Articulate& a, const Row& row, const Edge& edge) {
-  if (row.rule != edge.rule || row.member != edge.member || row.centre != edge.centre || !same(row.la, edge.la) ||
-      !same(row.lb, edge.lb))
+  if (row.rule != edge.rule || row.member != edge.member || row.star_point != edge.star_point ||
+      !same(row.la, edge.la) || !same(row.lb, edge.lb))
     return false;
   if (edge.member) return true;
   const Condition& c = condition(a, row);
@@ -281,12 +282,12 @@ bool is_as_built(const Model& model, const Articulate& a, Thing t) {
   std::erase_if(edges, [&](const Edge& edge) { return edge.a != node && edge.b != node; });
   const auto there = [&](const Edge& edge) {
     if (edge.may_break && !a.breakable) return false;
-    const auto rows = a.on[index];
+    const auto rows = a.rows_on[index];
     return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t k) {
       return a.rows[k].a == edge.a && a.rows[k].b == edge.b && is_row_of(a, a.rows[k], edge);
     });
   };
-  return edges.size() == a.on[index].size() && std::all_of(edges.begin(), edges.end(), there);
+  return edges.size() == a.rows_on[index].size() && std::all_of(edges.begin(), edges.end(), there);
 }
 
 }  // namespace pantin

@@ -6,7 +6,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/build/edges.hpp"
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 
 namespace pantin {
 

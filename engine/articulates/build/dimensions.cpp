@@ -109,7 +109,7 @@ void find_dimensions(Articulate& a, const Model& model) {
     a.soft_constraint = a.soft_constraint || (is_soft(row) && !pulls_by_law(row));
     if (pulls_by_law(row)) a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
   }
-  const auto draws = [](const Row& row) { return row.rule->over_gap; };
+  const auto draws = [](const Row& row) { return row.rule->at_distance; };
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);

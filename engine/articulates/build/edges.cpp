@@ -67,15 +67,15 @@ class Finder {
     return node_of(model_, Thing{id.slot - 1, true});
   }
 
-  void add_hinge(const Particle& ring, PointId centre) {
+  void add_hinge(const Particle& ring, PointId star_point) {
     for (PointId member : ring.points) {
-      if (member == centre) continue;
+      if (member == star_point) continue;
       Edge edge;
       edge.may_break = ring.breaks_at.possible();
       edge_a(edge, member);
-      edge_b(edge, centre);
+      edge_b(edge, star_point);
       edge.member = member;
-      edge.centre = centre;
+      edge.star_point = star_point;
       edges_.push_back(edge);
     }
   }

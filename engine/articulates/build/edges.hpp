@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 
 namespace pantin {
 
@@ -14,7 +14,7 @@ struct Edge {
   bool may_break = false;
   std::uint32_t index = 0;      // which row of its constraint
   std::int32_t a = -1, b = -1;  // nodes; b = -1: the world
-  PointId member, centre;       // of a hinge
+  PointId member, star_point;   // of a hinge
   ConstraintId constraint;
   ConnectionId connection;
   Solve solve = Solve::explicitly;  // how the connection acts

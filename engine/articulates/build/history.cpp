@@ -13,7 +13,7 @@ void copy_lane(Vec3x4& to, std::size_t lane, const Vec3x4& from, std::size_t of)
 }
 
 /// Of articulates that differ only what is true of both: as many last steps as the one that knows least, of other lengths one.
-void hand_on_predictor(const Predictor& from, Predictor& to, bool first) {
+void inherit_predictor(const Predictor& from, Predictor& to, bool first) {
   const bool same = first || (from.since == to.since && from.scale == to.scale);
   to.known = std::min({first ? Predictor::levels : to.known, from.known, same ? Predictor::levels : std::size_t{1}});
   to.rough = to.rough || from.rough;
@@ -38,11 +38,11 @@ History::History(const Model& model, std::span<const Thing> things, const Articu
   }
 }
 
-History::Before History::row(const Edge& edge) const {
+History::Match History::row(const Edge& edge) const {
   const Origin& a = nodes_[static_cast<std::size_t>(edge.a)];
   const Origin& b = edge.b >= 0 ? nodes_[static_cast<std::size_t>(edge.b)] : a;
   if (a.articulate == nullptr || a.articulate != b.articulate) return {};
-  const auto on_a = a.articulate->on[a.index], on_b = b.articulate->on[b.index];
+  const auto on_a = a.articulate->rows_on[a.index], on_b = b.articulate->rows_on[b.index];
   for (std::uint32_t k : on_a.size() < on_b.size() ? on_a : on_b) {
     const Row& row = a.articulate->rows[k];
     const bool same_ends =
@@ -52,14 +52,14 @@ History::Before History::row(const Edge& edge) const {
   return {};
 }
 
-void History::hand_on(Articulate& to) const {
+void History::inherit(Articulate& to) const {
   to.edited = false;
   const Articulate* last = nullptr;
   for (const Origin& origin : nodes_) {
     if (origin.articulate == last || origin.articulate == nullptr) continue;
     const Articulate& from = *origin.articulate;
     to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
-    hand_on_predictor(from.predictor, to.predictor, last == nullptr);
+    inherit_predictor(from.predictor, to.predictor, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
     to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
     to.weak = to.weak || from.weak;
@@ -74,13 +74,13 @@ void History::hand_on(Articulate& to) const {
     to.projection_wait = std::max(to.projection_wait, from.projection_wait);
     to.gaps.points = std::fmax(to.gaps.points, from.gaps.points);
     to.gaps.others = std::fmax(to.gaps.others, from.gaps.others);
-    to.gaps.open = std::fmax(to.gaps.open, from.gaps.open);
+    to.gaps.unaccepted = std::fmax(to.gaps.unaccepted, from.gaps.unaccepted);
     last = &from;
   }
   to.edited = to.edited || last == nullptr;
 }
 
-void History::hand_on(Articulate& to, std::span<const std::uint32_t> things) const {
+void History::inherit(Articulate& to, std::span<const std::uint32_t> things) const {
   for (std::size_t n = 0; n < things.size(); n++) {
     const Origin& origin = nodes_[things[n]];
     if (origin.articulate == nullptr) continue;

@@ -9,17 +9,17 @@ class History {
   /// Call before the model is told new nodes.
   History(const Model& model, std::span<const Thing> things, const Articulates& before);
 
-  struct Before {
+  struct Match {
     const Articulate* articulate = nullptr;
     const Row* row = nullptr;
     std::size_t index() const { return static_cast<std::size_t>(row - articulate->rows.data()); }
   };
   /// The row that an edge made between the same nodes, or null. The nodes of the edge are things.
-  Before row(const Edge& edge) const;
+  Match row(const Edge& edge) const;
   /// Sets what an articulate, not its nodes and rows, knows.
-  void hand_on(Articulate& articulate) const;
+  void inherit(Articulate& articulate) const;
   /// Sets what its batches know, of `things` (nodes).
-  void hand_on(Articulate& articulate, std::span<const std::uint32_t> things) const;
+  void inherit(Articulate& articulate, std::span<const std::uint32_t> things) const;
 
  private:
   struct Origin {

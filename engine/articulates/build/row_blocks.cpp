@@ -7,12 +7,12 @@
 namespace pantin {
 
 void find_row_blocks(Articulate& a) {
-  a.on = rows_of_nodes(a.nodes.size(), a.rows);
+  a.rows_on = rows_of_nodes(a.nodes.size(), a.rows);
   std::vector<char> reached(a.factor.below.size(), 0), meets_at_variables(a.nodes.size(), 0);
   for (const Hub& hub : a.hubs) meets_at_variables[hub.node] = 1;
   const auto free_of_hubs = [&](std::int32_t n) { return n >= 0 && !meets_at_variables[static_cast<std::size_t>(n)]; };
   for (Hub& hub : a.hubs) {
-    for (std::uint32_t k : a.on[hub.node]) {
+    for (std::uint32_t k : a.rows_on[hub.node]) {
       if (!free_of_hubs(a.rows[k].a) && !free_of_hubs(a.rows[k].b)) hub.alone.push_back(k);
       hub.blocks.push_back(a.factor.block(hub.variable, k));
       reached[hub.blocks.back()] = reached[hub.blocks.back() + 1] = 1;
@@ -20,8 +20,8 @@ void find_row_blocks(Articulate& a) {
   }
   a.first_row_block.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
-    for (std::uint32_t i : meets_at_variables[n] ? std::span<const std::uint32_t>() : a.on[n])
-      for (std::uint32_t j : a.on[n]) {
+    for (std::uint32_t i : meets_at_variables[n] ? std::span<const std::uint32_t>() : a.rows_on[n])
+      for (std::uint32_t j : a.rows_on[n]) {
         if (i < j) continue;
         const std::uint32_t block = i == j ? i : a.factor.block(i, j);
         a.row_blocks.push_back({block, false, false});

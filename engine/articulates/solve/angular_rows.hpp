@@ -13,7 +13,7 @@ void place_angular_row_at_end(Articulate& articulate, Row& row);
 double work_of_angular_row(const Articulate& articulate, const Row& row);
 
 /// Adds a row's force at an arm, in the world [m], to `row_force` and `row_torque` [N m] of a node about its centre.
-inline void pull(Node& n, const Row& row, Vec3 arm, Vec3 f) {
+inline void add_row_force(Node& n, const Row& row, Vec3 arm, Vec3 f) {
   if (row.lever > 0.0) {
     n.row_torque += f * row.lever;
     return;

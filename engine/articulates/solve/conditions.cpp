@@ -17,7 +17,7 @@ double inertia_about(const Articulate& a, Vec3 position) {
 
 namespace {
 
-double displacement_of(const Condition& c) { return c.whole_length1 - c.whole_length0; }
+double displacement_of(const Condition& c) { return c.whole_value1 - c.whole_value0; }
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void strengthen_stalled(Articulate& a, double step) {
 }
 
 double speed(const Condition& c, double at) {
-  return c.start_rate + (c.length_rate - c.start_rate) * at + c.bend.at(at)[0];
+  return c.start_rate + (c.value_rate - c.start_rate) * at + c.bend.at(at)[0];
 }
 
 void set_conditions(Articulate& a, double step, double from, double to) {
@@ -60,17 +60,18 @@ void set_conditions(Articulate& a, double step, double from, double to) {
     const Vec3 displacement = c.whole1 - c.whole0;
     c.position0 = c.whole0 + displacement * from;
     c.position1 = to == 1.0 ? c.whole1 : c.whole0 + displacement * to;
-    c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
+    c.kept_value = to == 1.0 ? c.whole_value1 : c.whole_value0 + (c.whole_value1 - c.whole_value0) * to;
     if (c.bent == Bent::position) {
       c.position0 += c.bend.at(from);
       c.position1 += c.bend.at(to);
     }
-    if (c.bent == Bent::length && !c.by_speed) c.length += c.bend.at(to)[0];
+    if (c.bent == Bent::value && !c.by_speed) c.kept_value += c.bend.at(to)[0];
     const Row& r = row(a, c);
     if (r.lever == 0.0) continue;
     if (c.by_speed)
-      c.length = r.lever *
-                 (c.angle0 + 2.0 * functions::atan(0.5 * step * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
+      c.kept_value =
+          r.lever *
+          (c.angle0 + 2.0 * functions::atan(0.5 * step * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
     c.turn0 = between(c.whole_turn0, c.whole_turn1, from);
     c.turn1 = between(c.whole_turn0, c.whole_turn1, to);
     if (c.bent == Bent::turn) {

@@ -169,7 +169,8 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
   const Value of_head = value(a, coupling, head, c, 1.0);
-  const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
+  const double kappa = 0.5 * h * h * mobility(a, head),
+               over = sum_of(a, coupling) - c.kept_value / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.force_by_lambda * kappa < over;
   double worst = 0.0;
   for (std::uint32_t k : coupling.rows) {
@@ -252,7 +253,7 @@ void project_couplings(Articulate& a) {
       c.kept = held ? outer(along.n, along.n) : zero33();
       c.into_head = held ? outer(along_head.n, along.n) * ratio : zero33();
       c.from_head = held ? outer(along.n, along_head.n) * -ratio : zero33();
-      if (held && k == coupling.head) c.wanted = along.n * (c.length_rate / (c.weight1 * along.size));
+      if (held && k == coupling.head) c.wanted = along.n * (c.value_rate / (c.weight1 * along.size));
     }
   }
 }
@@ -272,12 +273,12 @@ Stop coupling_stop(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     const Condition& c = condition(a, row);
-    return {slope(a, coupling, row, c).n * -1.0, c.length / c.weight + c.accepted - sum_of(a, coupling)};
+    return {slope(a, coupling, row, c).n * -1.0, c.kept_value / c.weight + c.accepted - sum_of(a, coupling)};
   }
   return {zero3()};
 }
 
-double share_told(const Articulate& a, const Row& row) {
+double motion_per_gap(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     double most = 0.0;

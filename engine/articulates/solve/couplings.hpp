@@ -23,7 +23,7 @@ Stop coupling_stop(const Articulate& articulate, const Row& row);
 /// By how much its sum, in metres of the head, changes with the velocities of each of its rows.
 std::vector<std::pair<std::uint32_t, Vec3>> coupling_gradient(const Articulate& articulate, const Coupling& coupling);
 /// 1 / max |weight| over a head's rows [1]: times the head's gap it is how far the nearest thing would have to move.
-double share_told(const Articulate& articulate, const Row& row);
+double motion_per_gap(const Articulate& articulate, const Row& row);
 /// By how much the sum is wrong: of a head, along itself; else 0, [m].
 Vec3 coupling_gap_of(const Articulate& articulate, const Row& row);
 

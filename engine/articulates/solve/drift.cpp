@@ -32,7 +32,7 @@ void forget_history(Articulate& a) {
 /// From here on the full sub-step is cut into parts.
 void cut(Articulate& a) {
   const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
-  a.cut = true;
+  a.sums_impulses = true;
   begin_exerted(a);
   for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric_impulses[k] * sign;
 }
@@ -48,7 +48,7 @@ struct Part {
 void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   a.smooth = false;
   a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
-  if (!a.cut) cut(a);
+  if (!a.sums_impulses) cut(a);
   set_conditions(a, settings.step, part.from, a.arrived);
   const double h = settings.step * (a.arrived - part.from);
   fallback_step(a, settings, h, report);
@@ -70,10 +70,10 @@ double make_consistent_at(Articulate& a, const DriftSettings& settings, double a
   const double before = kinetic_energy(a);
   stand_still(a, settings.step, at);
   const WantedVelocities wanted(a, settings.step, at);
-  const bool over_gaps = acts_over_gaps(a);
-  const Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
+  const bool at_distance = acts_at_distance(a);
+  const Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
   const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck_for);
-  if (over_gaps) restore_momenta(a, momenta);
+  if (at_distance) restore_momenta(a, momenta);
   report.tell(work);
   return kinetic_energy(a) - before - work.all();
 }
@@ -126,7 +126,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
     return false;
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
-  if (acts_over_gaps(a)) a.angular_of_gaps += turned_over_gaps(a, h);
+  if (acts_at_distance(a)) a.angular_at_distance += turned_at_distance(a, h);
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;
@@ -142,9 +142,9 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
   if (part.from < a.arrived) return;
   const double h = settings.step * (part.to - part.from);
   set_conditions(a, settings.step, part.from, part.to);
-  if (a.gaps.open > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
+  if (a.gaps.unaccepted > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
-    if (!a.cut) return;
+    if (!a.sums_impulses) return;
     add_forces_exerted(a, h);
     if (struck(a)) report.limit += make_consistent_at(a, settings, part.to, report, h);
     for (Condition& c : a.conditions) c.held_before = c.held;
@@ -154,7 +154,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
   if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_by_fallback(a, settings, part, report);
   report.halved++;
   a.smooth = false;
-  if (!a.cut) begin_cut(a, settings, part.from, report);
+  if (!a.sums_impulses) begin_cut(a, settings, part.from, report);
   const double middle = 0.5 * (part.from + part.to);
   drift_part(a, settings, {part.from, middle, part.end, part.depth + 1}, report);
   drift_part(a, settings, {middle, part.to, part.end, part.depth + 1}, report);
@@ -162,13 +162,13 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-EnergyOfMeeting meet(Articulate& a, double step, double at) {
-  a.edited = a.cut = false;
+EnergyOfConsistency make_consistent_after_edit(Articulate& a, double step, double at) {
+  a.edited = a.sums_impulses = false;
   stand_still(a, step, at);
   measure_gaps(a);
   for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
     c.held = !c.ranged && std::isinf(c.upper) && !row(a, c).rule->held_at_end;
-  a.torn = a.gaps.open > 1e-8 * a.length;
+  a.torn = a.gaps.unaccepted > 1e-8 * a.length;
   if (a.torn) return {};
   const WantedVelocities wanted(a, step, at);
   const bool free = is_free(a);
@@ -211,34 +211,34 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
 }  // namespace
 
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   begin_effort(a);
   if (a.edited) {
-    const EnergyOfMeeting met = meet(a, settings.step, settings.from);
-    report.met += met.tied;
-    report.limit += met.stopped;
+    const EnergyOfConsistency gave = make_consistent_after_edit(a, settings.step, settings.from);
+    report.after_edit += gave.tied;
+    report.limit += gave.stopped;
   }
   if (settings.first) {
     strengthen_stalled(a, settings.step);
     const bool symmetric = project_symmetrically(a, settings.full, report);
     a.smooth = true;
     a.arrived = 0.0;
-    a.cut = false;
+    a.sums_impulses = false;
     a.exerted_time = 0.0;
-    const bool open = a.gaps.open > 1e-8 * a.length;
+    const bool open = a.gaps.unaccepted > 1e-8 * a.length;
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
-  const bool open = a.gaps.open > 1e-8 * a.length;
+  const bool open = a.gaps.unaccepted > 1e-8 * a.length;
   const double sub_step = (settings.to - settings.from) / count;  // of the step
   for (std::uint32_t i = 0; i < count; i++) {
     const double to = i + 1 == count ? settings.to : settings.from + sub_step * (i + 1);
     drift_part(a, settings, {settings.from + sub_step * i, to, to, 0}, report);
   }
   end_effort(a, spare, open, report);
-  if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
-  a.torn = a.torn && a.gaps.open > 1e-8 * a.length;
+  if (a.torn) report.after_edit += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
+  a.torn = a.torn && a.gaps.unaccepted > 1e-8 * a.length;
 }
 
 }  // namespace pantin

@@ -99,7 +99,7 @@ RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), dou
 
 /// Anchors leave rigid motions free: none: all six; one position: the turn about it, of which gravity keeps only the part
 /// about its own direction; a line: the turn about that line, if gravity is along it; else none.
-RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
+RigidMotion conserved_motion(const Articulate& a, Vec3 gravity) {
   const Anchors held = anchors(a);
   if (held.kind == Anchorage::none || held.kind == Anchorage::orientation) {
     Vec3 X = zero3(), V = zero3();
@@ -128,7 +128,7 @@ bool may_return(const Articulate& a) {
   if (a.pulled || a.touches) return false;
   if (a.fell_back || a.soft_constraint || a.nonconservative) return false;
   return !struck(a) && std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
-    return c.driven || norm2(c.velocity) > 0.0 || c.length_rate != 0.0 || (c.may_do_work && !c.ranged);
+    return c.driven || norm2(c.velocity) > 0.0 || c.value_rate != 0.0 || (c.works_along_d && !c.ranged);
   });
 }
 
@@ -151,12 +151,12 @@ double change_relative_motion(Articulate& a, const RigidMotion& rigid, double ch
 
 double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
   if (!may_return(a)) return 0.0;
-  const RigidMotion rigid = kept_motion(a, gravity);
+  const RigidMotion rigid = conserved_motion(a, gravity);
   return change_relative_motion(a, rigid, kinetic - rigid.kinetic, 1.2);
 }
 
 double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {
-  return change_relative_motion(a, kept_motion(a, gravity), change, most);
+  return change_relative_motion(a, conserved_motion(a, gravity), change, most);
 }
 
 }  // namespace pantin

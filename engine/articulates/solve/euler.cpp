@@ -37,10 +37,10 @@ double evaluate_euler(Articulate& a, double h) {
   for (Node& n : a.nodes) n.row_force = n.row_torque = zero3();
   for (const Row& row : a.rows) {
     Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-    pull(first, row, first.R0 * row.la, row.f);
+    add_row_force(first, row, first.R0 * row.la, row.f);
     if (row.b < 0) continue;
     Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    pull(second, row, second.R0 * row.lb, row.f * -1.0);
+    add_row_force(second, row, second.R0 * row.lb, row.f * -1.0);
   }
   for (Node& n : a.nodes) evaluate_euler(n, h);
   place_rows_at_end(a);
@@ -84,7 +84,8 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   set_conditions(a, settings.step, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
-  a.has_factor = a.cut = false;
+  drop_factor(a, FactorOf::newton);
+  a.sums_impulses = false;
   a.exerted_time = 0.0;
   if (!solve_euler(a, settings.step, settings.gravity, report))
     return fallback_step(a, settings, settings.step, report);

@@ -36,7 +36,7 @@ void hold_stiff(Articulate& a) {
 }
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
-    if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);
+    if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);  // its rule is not by a law now
   a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   measure_gaps(a);
 }
@@ -183,7 +183,7 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
     move_freely(a, h, fraction);
     int tries_left = fraction == 1.0 ? most : 4;
     close_gaps(a, tolerance, tries_left);
-    if (a.gaps.open <= allowed || fraction == 0.0) return;
+    if (a.gaps.unaccepted <= allowed || fraction == 0.0) return;
     a.nodes = a.saved;
   }
 }
@@ -208,10 +208,10 @@ void begin_at_ends(Articulate& a) {
   }
 }
 
-/// Whether no anchor moves, and no length changes.
-bool is_still(const Articulate& a) {
+/// Whether no anchor moves, and no value that a row keeps changes.
+bool nothing_driven(const Articulate& a) {
   return std::all_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
-    return norm2(c.velocity) == 0.0 && c.length_rate == 0.0 && same(c.whole0, c.whole1);
+    return norm2(c.velocity) == 0.0 && c.value_rate == 0.0 && same(c.whole0, c.whole1);
   });
 }
 
@@ -260,7 +260,8 @@ class OnlyDissipates {
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
-  if (a.tree || !is_still(a) || a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
+  if (a.tree || !nothing_driven(a) || a.gaps.unaccepted <= 1e-8 * a.length || a.gaps.unaccepted > tolerance * a.length)
+    return;
   for (Row& row : a.rows)
     if (!is_soft(row)) accept_gap(a, row);
   a.offsets = true;
@@ -275,7 +276,7 @@ void close_displaced(Articulate& a) {
   constexpr double most_open = 2e-2;  // of the length: more than a displacement opens in the second order
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
-  const double open_before = a.gaps.open;
+  const double open_before = a.gaps.unaccepted;
   for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_start(a);
   hold_stiff(a);
@@ -291,9 +292,9 @@ void close_displaced(Articulate& a) {
   release_stiff(a);
   a.rows = rows;
   a.conditions = conditions;
-  a.has_factor = false;
-  if (tries_left == most || a.gaps.open > 1e-9 * a.length)
-    a.gaps.open = open_before;  // the next drift closes what is told
+  drop_factor(a, FactorOf::newton);
+  if (tries_left == most || a.gaps.unaccepted > 1e-9 * a.length)
+    a.gaps.unaccepted = open_before;  // the next drift closes what is told
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
@@ -319,7 +320,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   report.tell(make_consistent(a, h));
   if (free) restore_momenta(a, momenta);
   if (!energy.take_out() && !a.torn) {
-    if (is_still(a))
+    if (nothing_driven(a))
       stay(a, h, free, momenta);
     else
       report.work += energy.change();

@@ -121,7 +121,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
 /// Hands the rows the change of d1 that the nodes' own residuals make.
 void move_ends(Articulate& a, const NodeBatch& n) {
   const Vec3x4 turn = rotation(n, n.da);
-  for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
+  for (const RowEnds& end : ends_of(a, n)) scatter_to_rows(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
 const Coupling* coupling_of_head(const Articulate& a, std::uint32_t k) {
   for (const Coupling& coupling : a.couplings)
@@ -133,10 +133,10 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
-    side += is_rigid(row) ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
+    side += is_rigid(row) ? gather_for_row(a, k) : condition(a, row).M * gather_for_row(a, k);
     if (is_coupled(row))
       if (const Coupling* coupling = coupling_of_head(a, k))
-        side += into_head(a, *coupling, [&](const Row& other) { return handed_over(a, condition(a, other).row); });
+        side += into_head(a, *coupling, [&](const Row& other) { return gather_for_row(a, condition(a, other).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -197,7 +197,7 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
 
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   const double least = redundant(a, system);
   Tile done;
   clear_hubs(a);

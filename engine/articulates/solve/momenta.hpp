@@ -1,5 +1,5 @@
 #pragma once
-// Momentum and angular momentum of an articulate that nothing ties to the world. Forces of a row over a gap act at two
+// Momentum and angular momentum of an articulate that nothing ties to the world. Forces of a row at a distance act at two
 // positions and turn it, and closing a gap moves masses; what that changed is given back as a rigid motion, which every row
 // leaves free.
 #include "articulates/articulate.hpp"
@@ -13,12 +13,12 @@ struct Momenta {
 
 /// Whether no row ties it to the world.
 bool is_free(const Articulate& articulate);
-/// Whether it is free and has rows whose forces act over a gap in each step.
-inline bool acts_over_gaps(const Articulate& a) { return a.attracts || (a.offsets && is_free(a)); }
+/// Whether it is free and has rows whose two points are apart, so that their forces act at a distance, in each step.
+inline bool acts_at_distance(const Articulate& a) { return a.attracts || (a.offsets && is_free(a)); }
 Vec3 centre_of_mass(const Articulate& articulate);
 Momenta momenta_of(const Articulate& articulate);
-/// What the rows' forces of a step of h [s], acting over gaps, did to the angular momentum [kg m²/s].
-Vec3 turned_over_gaps(const Articulate& articulate, double h);
+/// What the rows' forces of a step of h [s], acting at a distance, did to the angular momentum [kg m²/s].
+Vec3 turned_at_distance(const Articulate& articulate, double h);
 /// Gives it these momenta again. Points that all come to one position have nothing to turn; what would take more energy than
 /// all the motion has stays lost. Returns the energy that this gave [J].
 double restore_momenta(Articulate& articulate, const Momenta& wanted);

@@ -44,7 +44,7 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
   for (const RowEnds& end : ends)
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
   const Lanes size2 = evaluate(n, load, h);
-  for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
+  for (const RowEnds& end : ends) scatter_to_rows(a, end, n.x1 + end.r1);
   if (a.angular) tell_positions(a, b);  // angular rows are placed from the nodes, not from what ends hand over
   return size2;
 }
@@ -193,7 +193,7 @@ struct Search {
 };
 
 /// One damped Newton step along the direction in the nodes and rows.
-Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t most_cost,
+Search search_line(Articulate& a, double h, double e, double tolerance, bool new_factor, std::uint32_t most_cost,
                    DriftReport& report) {
   const FullNewtonStep full = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / full.largest_turn);
@@ -201,7 +201,7 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool fre
     const double e1 = fraction == 1.0 ? full.residual : evaluate_along(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || cost(report) > most_cost || (!fresh && halvings == 0))
+    if (accepted || halvings >= most_halvings || cost(report) > most_cost || (!new_factor && halvings == 0))
       return {e1, accepted};
     fraction *= 0.5;
   }
@@ -216,7 +216,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   double left = 1.0;  // of the residual, by the last iteration
   const auto [tolerance, round_off] = goal;
   a.predictor.rough = e > 0.03 * a.length;
-  bool factor_of_attempt = false, fresh = false;
+  bool factor_of_attempt = false, new_factor = false;
   int old_uses = 0, lost = 0, slow = 0;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
@@ -229,17 +229,18 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     if (!factor_of_attempt || !gains_enough) {
       old_uses = 0;
       a.weak = factorise(a, system) && !a.tree;
-      a.has_factor = factor_of_attempt = fresh = true;
+      a.factor_of = FactorOf::newton;
+      factor_of_attempt = new_factor = true;
       report.factorisations++;
     } else {
       reuse_factor(a, system);
     }
-    const auto [e1, found] = search_line(a, h, e, tolerance, fresh, most_cost, report);
+    const auto [e1, found] = search_line(a, h, e, tolerance, new_factor, most_cost, report);
     left = e1 / e;
-    lost = found ? 0 : lost + fresh;
-    slow = left > 0.9 ? slow + fresh : 0;
+    lost = found ? 0 : lost + new_factor;
+    slow = left > 0.9 ? slow + new_factor : 0;
     if ((lost == most_lost || (a.lowered && slow == most_lost)) && e1 > 100.0 * tolerance) return false;
-    if (!fresh && old_uses == 1 && left < 4.0 && e < 1e-6 * a.length) {
+    if (!new_factor && old_uses == 1 && left < 4.0 && e < 1e-6 * a.length) {
       left = std::min(left, 0.5);
       e = e1;
       continue;
@@ -247,22 +248,22 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     if (!(e1 < e)) {
       e = evaluate_along(a, h, 0.0);
       left = 1.0;
-      if (!fresh) continue;
+      if (!new_factor) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
         lower_epsilon(a, !found);
-        fresh = false;
+        new_factor = false;
         lost = 0;
         continue;
       }
       return e < 100.0 * tolerance;
     }
-    if (fresh && left > 0.2 && e1 < 10.0 * round_off) return true;
-    if (fresh && left > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
+    if (new_factor && left > 0.2 && e1 < 10.0 * round_off) return true;
+    if (new_factor && left > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a, !found);
       left = 1.0;
       lost = 0;
     }
-    fresh = false;
+    new_factor = false;
     e = e1;
   }
   return e <= 100.0 * tolerance;
@@ -317,7 +318,7 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   for (const Row& r : a.rows) {
     const double size = std::max(largest(first(a, r).x0), norm(r.d1));
     report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
-    const bool does_work = r.condition >= 0 && condition(a, r).may_do_work;
+    const bool does_work = r.condition >= 0 && condition(a, r).works_along_d;
     if (pulls_by_law(r) || (does_work && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
       report.unsolved += work_of_angular_row(a, r);
@@ -346,8 +347,8 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       continue;
     }
     if (keeps_to_position(r) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
-    if (!c.may_do_work) continue;
-    const bool still = c.whole_length0 == c.whole_length1;
+    if (!c.works_along_d) continue;
+    const bool still = c.whole_value0 == c.whole_value1;
     double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);
   }

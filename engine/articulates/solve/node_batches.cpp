@@ -100,13 +100,13 @@ void lay_out_batches(Articulate& a) {
     for (std::size_t lane = 0; lane < batch_size; lane++) {
       const std::size_t node = batch_size * b + lane;
       if (node >= a.nodes.size()) break;
-      for (std::size_t i = 0; i < a.on[node].size(); i++) {
+      for (std::size_t i = 0; i < a.rows_on[node].size(); i++) {
         if (a.batches[b].first_end + i == a.ends.size()) {
           a.ends.emplace_back();
           a.ends.back().row.fill(0);
           a.ends.back().to.fill(static_cast<std::uint32_t>(2 * a.rows.size()));
         }
-        set_end(a, a.ends[a.batches[b].first_end + i], lane, a.on[node][i], node);
+        set_end(a, a.ends[a.batches[b].first_end + i], lane, a.rows_on[node][i], node);
       }
     }
     a.batches[b].last_end = static_cast<std::uint32_t>(a.ends.size());
@@ -119,7 +119,7 @@ void lay_out_batches(Articulate& a) {
 std::size_t ends_with_blocks(const Articulate& a, std::size_t batch) {
   std::size_t most = 0;
   for (std::size_t n = batch_size * batch; n < std::min(batch_size * (batch + 1), a.nodes.size()); n++)
-    if (a.first_row_block[n] < a.first_row_block[n + 1]) most = std::max(most, a.on[n].size());
+    if (a.first_row_block[n] < a.first_row_block[n + 1]) most = std::max(most, a.rows_on[n].size());
   return most;
 }
 
@@ -155,7 +155,7 @@ void place_at_start(Articulate& a, std::size_t b) {
   const Vec3x4 x0 = pack_nodes(a, b, [](const Node& node) { return node.x0; });
   for (RowEnds& end : ends_of(a, a.batches[b])) {
     end.r0 = R0 * end.l;
-    hand_over(a, end, x0 + end.r0);
+    scatter_to_rows(a, end, x0 + end.r0);
   }
 }
 
@@ -164,7 +164,7 @@ void place_at_end(Articulate& a, std::size_t b) {
   const Vec3x4 x1 = pack_nodes(a, b, [](const Node& node) { return node.x1; });
   for (RowEnds& end : ends_of(a, a.batches[b])) {
     end.r1 = R1 * end.l;
-    hand_over(a, end, x1 + end.r1);
+    scatter_to_rows(a, end, x1 + end.r1);
   }
 }
 

@@ -24,12 +24,12 @@ inline RowBlock* row_block(Articulate& a, std::size_t batch, std::size_t lane, s
 }
 
 /// What ends tell their rows.
-inline void hand_over(Articulate& a, const RowEnds& end, const Vec3x4& what) {
+inline void scatter_to_rows(Articulate& a, const RowEnds& end, const Vec3x4& what) {
   const auto each = unpack(what);
   for (std::size_t lane = 0; lane < batch_size; lane++) a.at_ends[end.to[lane]] = each[lane];
 }
 /// What both ends of row k told it, with their signs.
-inline Vec3 handed_over(const Articulate& a, std::size_t k) {
+inline Vec3 gather_for_row(const Articulate& a, std::size_t k) {
   return a.rows[k].b >= 0 ? a.at_ends[2 * k] + a.at_ends[2 * k + 1] : a.at_ends[2 * k];
 }
 /// What the rows of ends have, side by side: what(k) is a Vec3 of row k.

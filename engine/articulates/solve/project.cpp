@@ -23,7 +23,7 @@ namespace {
 /// Sets the residual of a row to its forbidden velocity.
 void find_forbidden_velocity(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
-  row.residual = handed_over(a, k);
+  row.residual = gather_for_row(a, k);
   if (row.condition < 0) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
@@ -35,7 +35,7 @@ Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
   for (const Coupling& coupling : a.couplings) {
     if (coupling.head != k) continue;
     return a.rows[k].residual +
-           into_head(a, coupling, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+           into_head(a, coupling, [&](const Row& row) { return gather_for_row(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -79,7 +79,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
       fastest2 = larger(norm2(velocity), fastest2);
       for (const RowEnds& end : ends_of(a, n))
-        hand_over(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
+        scatter_to_rows(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
     }
     for (; done.rows < tile.rows; done.rows++) {
       Row& row = a.rows[done.rows];
@@ -114,7 +114,7 @@ double work_at_means(Articulate& a) {
 /// Adds the work of the impulse of a row on what is prescribed.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
-  (row(a, c).lever > 0.0 ? work.turns : work.ends) += dot(impulse, c.worked_at);
+  (row(a, c).lever > 0.0 ? work.turns : work.anchors) += dot(impulse, c.worked_at);
 }
 
 /// Energy that what is prescribed may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
@@ -147,7 +147,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& before, cons
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
-  (anchors ? work.ends : work.turns) = all;
+  (anchors ? work.anchors : work.turns) = all;
   return work;
 }
 
@@ -195,7 +195,7 @@ bool forbids_as_newton(const Articulate& a) {
 
 /// Whether the step's own factor, a cheap approximation of S1, may serve.
 bool may_use_newton_factor(Articulate& a) {
-  if (!a.has_factor || !forbids_as_newton(a)) return false;
+  if (a.factor_of != FactorOf::newton || !forbids_as_newton(a)) return false;
   if (a.projection_wait == 0) return true;
   a.projection_wait--;
   return false;
@@ -295,18 +295,18 @@ void find_overdriven(Articulate& a, double h) {
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   answer(a);
   for (Condition& c : a.conditions) c.gives_way = is_limited(c) && norm(a.impulses[c.row]) > c.upper * h;
-  a.exact = a.has_factor = false;
+  a.factor_of = FactorOf::none;
 }
 
 }  // namespace
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.symmetric_h = 0.0;
-  const bool over_gaps = acts_over_gaps(a);
-  Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
-  momenta.angular -= std::exchange(a.angular_of_gaps, zero3());
+  const bool at_distance = acts_at_distance(a);
+  Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
+  momenta.angular -= std::exchange(a.angular_at_distance, zero3());
   if (a.fell_back || a.forbids_nothing) {
-    if (over_gaps) report.work += restore_momenta(a, momenta);
+    if (at_distance) report.work += restore_momenta(a, momenta);
     return;
   }
   if (a.touches) find_overdriven(a, settings.full);
@@ -322,8 +322,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   const double outside = report.outside();
   if (!reuse || !project_with_newton_factor(a, before, report)) {
     report.projections++;
-    a.has_factor = false;
-    if (a.exact)
+    drop_factor(a, FactorOf::newton);
+    if (a.factor_of == FactorOf::projection)
       find_velocities(a, From::nodes, true);
     else
       factorise_exactly(a, a.least_epsilon);
@@ -336,19 +336,19 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     }
   }
   tell_momenta(a);
-  if (over_gaps) {
+  if (at_distance) {
     const double given = restore_momenta(a, momenta);
     report.work += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   const bool one_sided = is_one_sided(a);
-  if (one_sided && !a.cut) {  // no half is carried, so all of it belongs to this step
+  if (one_sided && !a.sums_impulses) {  // no half is carried, so all of it belongs to this step
     begin_exerted(a);
     add_forces_exerted(a, settings.full);
-    a.cut = true;
+    a.sums_impulses = true;
   }
-  if (a.cut) add_impulses_exerted(a);
+  if (a.sums_impulses) add_impulses_exerted(a);
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !jumps && !a.weak && !noise && !over_gaps && !one_sided && !a.touches)
+  if (a.smooth && !jumps && !a.weak && !noise && !at_distance && !one_sided && !a.touches)
     average_impulses(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
@@ -418,8 +418,8 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   ImpulseWork work = take_out_forbidden(a);
   for (int gone = 0; let_one_go(a, time, struck_for, gone); gone++) work = take_out_forbidden(a);
   tell_momenta(a);
-  a.has_factor = false;
-  if (a.cut) add_impulses_exerted(a);
+  drop_factor(a, FactorOf::newton);
+  if (a.sums_impulses) add_impulses_exerted(a);
   return work;
 }
 
@@ -432,15 +432,14 @@ void find_forbidden(Articulate& a, double step, double at, double wanted_at) {
 }
 
 void begin_answers(Articulate& a, double epsilon) {
-  if (!a.exact) {
+  if (a.factor_of != FactorOf::projection) {
     for (Node& n : a.nodes) rest_at_start(n);
     place_rows_at_end(a);
   }
   find_kept(a);
-  if (a.exact) return;
+  if (a.factor_of == FactorOf::projection) return;
   factorise_exactly(a, std::max(epsilon, a.least_epsilon));
-  a.has_factor = false;
-  a.exact = true;
+  a.factor_of = FactorOf::projection;
 }
 
 ImpulseWork answer(Articulate& a) {

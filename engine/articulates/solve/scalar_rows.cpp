@@ -21,7 +21,7 @@ ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
   const Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
   ScalarRow s;
-  s.wanted = c.length_rate / c.weight1;
+  s.wanted = c.value_rate / c.weight1;
   s.lower = -infinity;
   s.upper = infinity;
   double sign = 1.0;

@@ -31,15 +31,15 @@ bool is_to_settle(const Articulate& a) {
 
 void settle_velocities(Articulate& a, DriftReport& report) {
   for (Condition& c : a.conditions) c.settles = c.settling > 0.0;
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   report.tell(answer(a));
   report.damped += work_of_settling(a);
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
   for (Condition& c : a.conditions) c.settles = false;
-  a.exact = false;
-  if (a.cut) add_impulses_exerted(a);
+  drop_factor(a, FactorOf::projection);
+  if (a.sums_impulses) add_impulses_exerted(a);
 }
 
 }  // namespace pantin

@@ -65,7 +65,7 @@ void disturb(Articulate& a) {
 void store(const Articulate& a, Model& model) {
   for (const Node& n : a.nodes) store(n, model);
   for (const Row& row : a.rows)
-    if (row.centre) model.points[row.centre].row_force = zero3();
+    if (row.star_point) model.points[row.star_point].row_force = zero3();
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
     if (pulls_by_law(row)) continue;
@@ -76,7 +76,7 @@ void store(const Articulate& a, Model& model) {
       continue;
     }
     model.points[row.member].row_force = f;
-    model.points[row.centre].row_force -= f;
+    model.points[row.star_point].row_force -= f;
   }
 }
 
@@ -118,9 +118,9 @@ NodeTotals totals_of(const Articulate& a) {
 
 namespace {
 
-double told_gap(const Articulate& a, const Row& row, double open) {
+double gap_with_accepted(const Articulate& a, const Row& row, double open) {
   const double all = open + norm(row.offset) + std::fabs(condition(a, row).accepted);
-  return is_coupled(row) ? all * share_told(a, row) : all;
+  return is_coupled(row) ? all * motion_per_gap(a, row) : all;
 }
 
 }  // namespace
@@ -130,11 +130,11 @@ void measure_gaps(Articulate& a) {
   for (const Row& row : a.rows) {
     if (is_soft(row)) continue;
     const double open = norm(gap(a, row));
-    a.gaps.open = std::max(a.gaps.open, open);
+    a.gaps.unaccepted = std::max(a.gaps.unaccepted, open);
     if (is_rigid(row) && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
     else
-      a.gaps.others = std::max(a.gaps.others, told_gap(a, row, open));
+      a.gaps.others = std::max(a.gaps.others, gap_with_accepted(a, row, open));
   }
 }
 

@@ -9,8 +9,8 @@ namespace {
 void add_bend(Condition& c, double lever, double times, double at) {
   if (c.bent == Bent::nothing) return;
   const Vec3 rate = c.bend.rate(at) * times;
-  if (c.bent == Bent::length)
-    c.length_rate += rate[0];
+  if (c.bent == Bent::value)
+    c.value_rate += rate[0];
   else
     c.velocity += c.bent == Bent::turn ? rate * lever : rate;
 }
@@ -18,15 +18,15 @@ void add_bend(Condition& c, double lever, double times, double at) {
 void want(Condition& c, double lever, double step, double at) {
   c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
   if (c.by_speed) {
-    c.length_rate = speed(c, at);
+    c.value_rate = speed(c, at);
     return;
   }
   add_bend(c, lever, -1.0 / step, 1.0);
   if (lever == 0.0) {
     const Vec3 start = (c.whole1 - c.whole0) / step * 2.0 - c.velocity;
-    const double start_rate = (c.whole_length1 - c.whole_length0) / step * 2.0 - c.length_rate;
+    const double start_rate = (c.whole_value1 - c.whole_value0) / step * 2.0 - c.value_rate;
     c.velocity = start + (c.velocity - start) * at;
-    c.length_rate = start_rate + (c.length_rate - start_rate) * at;
+    c.value_rate = start_rate + (c.value_rate - start_rate) * at;
   }
   add_bend(c, lever, 1.0 / step, at);
 }
@@ -34,14 +34,14 @@ void want(Condition& c, double lever, double step, double at) {
 }  // namespace
 
 WantedVelocities::WantedVelocities(Articulate& articulate, double step, double at) : a_(articulate) {
-  for (const Condition& c : a_.conditions) at_end_.push_back({c.velocity, c.length_rate, c.weight1});
+  for (const Condition& c : a_.conditions) at_end_.push_back({c.velocity, c.value_rate, c.weight1});
   for (const Row& row : a_.rows)
     if (row.condition >= 0) want(a_.conditions[static_cast<std::size_t>(row.condition)], row.lever, step, at);
 }
 
 WantedVelocities::~WantedVelocities() {
   for (std::size_t k = 0; k < a_.conditions.size(); k++)
-    std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate, a_.conditions[k].weight1) = at_end_[k];
+    std::tie(a_.conditions[k].velocity, a_.conditions[k].value_rate, a_.conditions[k].weight1) = at_end_[k];
 }
 
 }  // namespace pantin

@@ -45,7 +45,7 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
   }
   for (IslandTie& t : island.ties) t.start = zero3();
   for (IslandScalar& s : island.scalars) s.start = 0.0;
-  start_from_rest(island);
+  start_without_impulses(island);
   const double before = kinetic_energy(island);
   report.iterations += solve_island(island).iterations;
   return kinetic_energy(island) - before - std::max(0.0, given(island)) -
@@ -79,9 +79,9 @@ double strike_without_gain(const ContactIsland& island, double before, Strike&& 
 
 /// Its velocities are those that the next round begins with.
 void go_on(ContactIsland& island) {
-  for (IslandTie& t : island.ties) t.before_contacts += t.kept * t.impulse;
+  for (IslandTie& t : island.ties) t.earlier_impulse += t.kept * t.impulse;
   for (IslandScalar& s : island.scalars) {
-    s.before_contacts += s.impulse;
+    s.earlier_impulse += s.impulse;
     if (s.high == infinity) continue;  // what only pushes does not take an earlier blow back
     s.low -= s.impulse;
     s.high -= s.impulse;
@@ -94,7 +94,7 @@ void go_on(ContactIsland& island) {
 
 }  // namespace
 
-ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) {
+ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_before) {
   ImpactReport report;
   std::vector<IslandContact> all;
   std::vector<IslandRoll> rolls;
@@ -104,16 +104,16 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
   for (const IslandTie& t : island.ties) starts.push_back(t.start);
   for (const IslandScalar& s : island.scalars) scalar_starts.push_back(s.start);
   while (report.rounds < most_rounds) {
-    start_from_rest(island);
+    start_without_impulses(island);
     observe(island);
     const std::vector<std::size_t> now = striking(island, slow);
     if (now.empty()) break;
     std::vector<IslandContact> those;
     for (const std::size_t k : now) those.push_back(island.contacts[k]);
     all.swap(island.contacts);
-    gained = strike_without_gain(island, gained,
-                                 [&](double part) { return strike(island, those, part, report.rounds == 0, report); });
-    for (std::size_t i = 0; i < now.size(); i++) all[now[i]].before_contacts += island.contacts[i].impulse;
+    done_before = strike_without_gain(
+        island, done_before, [&](double part) { return strike(island, those, part, report.rounds == 0, report); });
+    for (std::size_t i = 0; i < now.size(); i++) all[now[i]].impact_impulse += island.contacts[i].impulse;
     all.swap(island.contacts);
     go_on(island);
     report.rounds++;

@@ -87,7 +87,7 @@ void add_load(std::vector<BodyLoad>& loads, const IslandTie& t, Vec3 impulse) {
   add_load(loads, t.b, zero3(), impulse * -t.lever);
 }
 
-void start_from_rest(ContactIsland& island) {
+void start_without_impulses(ContactIsland& island) {
   for (IslandBody& body : island.bodies) {
     body.v = body.v0;
     body.w = body.w0;

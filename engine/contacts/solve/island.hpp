@@ -55,8 +55,8 @@ struct IslandContact : IslandPair {
   Vec3 impulse = zero3();      ///< [N s] γ
   Vec3 u = zero3();            ///< [m/s]
   double restitution = 0.0;
-  double rebound = 0.0;            ///< [m/s] of the first impact, where that is known; else 0
-  Vec3 before_contacts = zero3();  ///< [N s] of impacts
+  double rebound = 0.0;           ///< [m/s] of the first impact, where that is known; else 0
+  Vec3 impact_impulse = zero3();  ///< [N s] of the rounds of impacts
 };
 
 /// Friction at a contact against spins: an impulse of 1 N s turns with its lever, and slip is lever × spin.
@@ -77,7 +77,7 @@ struct IslandTie : IslandPair {
   Vec3 start = zero3();            ///< [N s]
   Vec3 impulse = zero3();          ///< [N s] μ
   Vec3 u = zero3();                ///< [m/s] kept (T v - wanted)
-  Vec3 before_contacts = zero3();  ///< [N s] given before contacts are solved: by ties alone, by impacts
+  Vec3 earlier_impulse = zero3();  ///< [N s] given before contacts are solved: by ties alone, by impacts
 };
 
 /// What a unit impulse of a scalar does to one body [1], [m], about its centre, world axes.
@@ -93,7 +93,7 @@ struct IslandScalar {
   double bias = 0.0;                           ///< [m/s]
   double w = 0.0;                              ///< [1/kg]
   double start = 0.0, impulse = 0.0, u = 0.0;  ///< [N s], [N s], [m/s]
-  double before_contacts = 0.0;                ///< [N s] as of ties
+  double earlier_impulse = 0.0;                ///< [N s] as of ties
 
   bool is_bounded() const { return low > -infinity || high < infinity; }
   bool is_at_bound() const { return is_bounded() && (impulse <= low || impulse >= high); }
@@ -194,7 +194,7 @@ void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);  ///< world axes
 void add_load(const ContactIsland& island, std::vector<BodyLoad>& loads, const IslandScalar& scalar, double impulse);
 /// Velocities without impulses, and with those at hand.
-void start_from_rest(ContactIsland& island);
+void start_without_impulses(ContactIsland& island);
 void apply_impulses(ContactIsland& island);
 /// Sets u of contacts and of ties from the velocities.
 void observe(ContactIsland& island);

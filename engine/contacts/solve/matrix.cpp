@@ -79,7 +79,7 @@ PairBlocks blocks_of(const Layout& layout, const IslandPair& pair) {
 }
 
 /// arm^ K
-Mat3 turned_by(Vec3 arm, const Mat3& K) { return {{cross(arm, K[0]), cross(arm, K[1]), cross(arm, K[2])}}; }
+Mat3 arm_cross(Vec3 arm, const Mat3& K) { return {{cross(arm, K[0]), cross(arm, K[1]), cross(arm, K[2])}}; }
 
 /// Where the matrix is put together: the diagonal, below it and above it.
 struct Sums {
@@ -108,11 +108,11 @@ struct PairSums {
   Mat3 ll = zero33(), al = zero33(), la = zero33(), aa = zero33();  // Σ K, Σ r^ K, Σ K r^', Σ r^ K r^'
 
   void add(Vec3 r, const Mat3& K, bool symmetric) {
-    const Mat3 rK = turned_by(r, K);
+    const Mat3 rK = arm_cross(r, K);
     ll += K;
     al += rK;
-    if (!symmetric) la += transpose(turned_by(r, transpose(K)));
-    aa += transpose(turned_by(r, transpose(rK)));
+    if (!symmetric) la += transpose(arm_cross(r, transpose(K)));
+    aa += transpose(arm_cross(r, transpose(rK)));
   }
 };
 
@@ -122,14 +122,14 @@ void add_sums(Sums to, const IslandPair& p, const PairBlocks& blocks, PairSums s
   if (to.symmetric) s.la = transpose(s.al);
   const auto before = [](const IslandBody& b, const Mat3& m) { return b.turns_about_all ? m : b.turning * m; };
   const auto behind = [](const Mat3& m, const IslandBody& b) { return b.turns_about_all ? m : m * b.turning; };
-  const auto longer = [&](const Mat3& m) { return transpose(turned_by(between, transpose(m))); };
+  const auto longer = [&](const Mat3& m) { return transpose(arm_cross(between, transpose(m))); };
   const IslandBody& a = to.island.bodies[number(p.a)];
   const Mat3 al = before(a, s.al), la = behind(s.la, a);
   add_own(to, p.a, s.ll, al, la, behind(before(a, s.aa), a));
   if (p.b < 0) return;
   const IslandBody& b = to.island.bodies[number(p.b)];
-  const Mat3 bl = s.al + turned_by(between, s.ll), lb = s.la + longer(s.ll);
-  const Mat3 ab = s.aa + longer(s.al), ba = s.aa + turned_by(between, s.la), bb = ab + turned_by(between, lb);
+  const Mat3 bl = s.al + arm_cross(between, s.ll), lb = s.la + longer(s.ll);
+  const Mat3 ab = s.aa + longer(s.al), ba = s.aa + arm_cross(between, s.la), bb = ab + arm_cross(between, lb);
   const Mat3 of_b = before(b, bl), to_b = behind(lb, b);
   add_own(to, p.b, s.ll, of_b, to_b, behind(before(b, bb), b));
   const Mat3 entries[4] = {s.ll, to_b, al, behind(before(a, ab), b)},

@@ -18,7 +18,7 @@ constexpr std::uint32_t most_patience = 10;                    // iterations in 
 /// dγ = offset - stiffness ds makes the smoothed law hold to first order.
 struct Slope {
   double offset, stiffness;
-  double follows = 0.0;  ///< of g, by how much the root moves with it
+  double by_bound = 0.0;  ///< by how much the root moves with g: of slip, with the bound
 };
 
 Slope smoothed(double g, double s, double tau, double softness) {
@@ -35,7 +35,7 @@ struct Slip {
   double along = 0.0, across = 0.0;  // offsets
   double along_stiffness = 0.0, across_stiffness = 0.0;
   double d1 = 1.0, d2 = 0.0;  // its direction by t1 and t2
-  double follows = 0.0;       // change of the impulse along it by that of its bound
+  double by_bound = 0.0;      // change of the impulse along it by that of its bound
 };
 
 /// Of impulses g within a bound, velocities u, all as speeds.
@@ -51,7 +51,7 @@ Slip linearise_slip(double g1, double g2, double u1, double u2, double bound, do
   const Slope slip = smoothed(bound - g_along, -u_along, std::fmin(tau, bound * bound), 1.0 / stiffest);
   l.along = -slip.offset;
   l.along_stiffness = slip.stiffness;
-  l.follows = slip.follows;
+  l.by_bound = slip.by_bound;
   if (size > bound) {
     const double turn = bound / std::fmax(size - bound, 1e-300);
     l.across_stiffness = std::fmin(stiffest, std::fmax(l.along_stiffness, turn));
@@ -67,7 +67,7 @@ Slip linearise_slip(double g1, double g2, double u1, double u2, double bound, do
 struct Linear {
   Vec3 offset = zero3(), stiffness = zero3();
   double d1 = 1.0, d2 = 0.0;  // the slip's direction by t1 and t2
-  double follows = 0.0;       // change of the impulse along the slip by that of the normal one
+  double by_bound = 0.0;      // change of the impulse along the slip by that of the normal one
 };
 
 /// Of a scalar's law, at the nearer of its bounds.
@@ -107,7 +107,7 @@ Linear linearise(const IslandContact& c, double tau, double stiffest) {
   l.stiffness = vec(normal.stiffness, slip.along_stiffness, slip.across_stiffness);
   l.d1 = slip.d1;
   l.d2 = slip.d2;
-  if (c.impulse[0] > 0.0) l.follows = slip.follows * c.friction;
+  if (c.impulse[0] > 0.0) l.by_bound = slip.by_bound * c.friction;
   return l;
 }
 
@@ -140,7 +140,7 @@ struct Newton {
   bool changed(const Linear& now, const Linear& then) const {
     for (int j = 0; j < 3; j++)
       if (differs(now.stiffness[j], then.stiffness[j])) return true;
-    if (std::fabs(now.follows - then.follows) > 0.02) return true;
+    if (std::fabs(now.by_bound - then.by_bound) > 0.02) return true;
     const bool turns = std::fabs(now.stiffness[1] - now.stiffness[2]) > 1e-3 * now.stiffness[2];
     return turns && std::fabs(now.d1 * then.d2 - now.d2 * then.d1) > 1e-3;
   }
@@ -167,7 +167,7 @@ struct Newton {
                  across = c.frame[2] * used[k].d1 - c.frame[1] * used[k].d2;
       stiffness[k] = outer(c.frame[0], c.frame[0]) * (used[k].stiffness[0] / c.wn);
       if (c.friction == 0.0) continue;
-      stiffness[k] += outer(along, c.frame[0]) * (used[k].follows * used[k].stiffness[0] / c.wn);
+      stiffness[k] += outer(along, c.frame[0]) * (used[k].by_bound * used[k].stiffness[0] / c.wn);
       stiffness[k] += outer(along, along) * (used[k].stiffness[1] / c.wt);
       stiffness[k] += outer(across, across) * (used[k].stiffness[2] / c.wt);
     }
@@ -195,7 +195,7 @@ struct Newton {
       if (scalars_used[k].stiffness < 1e-12) scalars_used[k].stiffness = 0.0;
       scalar_stiffness.push_back(scalars_used[k].stiffness / island.scalars[k].w);
     }
-    const bool symmetric = std::none_of(used.begin(), used.end(), [](const Linear& l) { return l.follows != 0.0; });
+    const bool symmetric = std::none_of(used.begin(), used.end(), [](const Linear& l) { return l.by_bound != 0.0; });
     factorise(island, island.all, stiffness, roll_stiffness, scalar_stiffness, symmetric);
   }
   void move_rolls() {
@@ -227,7 +227,7 @@ struct Newton {
         c.impulse[1] = c.impulse[2] = 0.0;
         continue;
       }
-      const double along = l.offset[1] / c.wt + used[k].follows * l.offset[0] / c.wn, across = l.offset[2] / c.wt;
+      const double along = l.offset[1] / c.wt + used[k].by_bound * l.offset[0] / c.wn, across = l.offset[2] / c.wt;
       c.impulse[1] += along * l.d1 - across * l.d2;
       c.impulse[2] += along * l.d2 + across * l.d1;
     }
@@ -250,7 +250,7 @@ struct Newton {
       const Linear& l = used[k];
       double along = 0.0, across = 0.0;
       if (c.friction > 0.0) {
-        along = (du[1] * l.d1 + du[2] * l.d2) * l.stiffness[1] / c.wt + l.follows * du[0] * l.stiffness[0] / c.wn;
+        along = (du[1] * l.d1 + du[2] * l.d2) * l.stiffness[1] / c.wt + l.by_bound * du[0] * l.stiffness[0] / c.wn;
         across = (du[2] * l.d1 - du[1] * l.d2) * l.stiffness[2] / c.wt;
       }
       c.impulse -= vec(du[0] * l.stiffness[0] / c.wn, along * l.d1 - across * l.d2, along * l.d2 + across * l.d1);

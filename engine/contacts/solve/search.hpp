@@ -10,7 +10,7 @@ struct SearchReport {
   std::uint32_t iterations = 0, factorisations = 0;
 };
 
-/// A search stalls where its residual did not halve in more than so many iterations.
+/// A search stalls where its residual did not halve in more than `most` iterations, one after the other.
 struct Patience {
   std::uint32_t most;
   double mark;  ///< [m/s] the residual when it last halved

@@ -97,9 +97,9 @@ void forget_turning(ContactIsland& island) {
 }
 
 void forget_held(ContactIsland& island) {
-  for (IslandTie& t : island.ties) t.before_contacts -= t.kept * t.impulse;
+  for (IslandTie& t : island.ties) t.earlier_impulse -= t.kept * t.impulse;
   for (IslandScalar& s : island.scalars) {
-    s.before_contacts -= s.impulse;
+    s.earlier_impulse -= s.impulse;
     s.low += s.impulse;
     s.high += s.impulse;
   }
@@ -108,7 +108,7 @@ void forget_held(ContactIsland& island) {
 void hold_ties(ContactIsland& island) {
   if (!island.is_tied()) return;
   weigh_ties(island);
-  start_from_rest(island);
+  start_without_impulses(island);
   for (IslandTie& t : island.ties) t.impulse = zero3();
   for (IslandScalar& s : island.scalars) s.impulse = std::clamp(0.0, s.low, s.high);
   const auto bounded = [](const IslandScalar& s) { return s.is_bounded(); };
@@ -120,9 +120,9 @@ void hold_ties(ContactIsland& island) {
     b.v0 = b.v;
     b.w0 = b.w;
   }
-  for (IslandTie& t : island.ties) t.before_contacts += t.kept * t.impulse;
+  for (IslandTie& t : island.ties) t.earlier_impulse += t.kept * t.impulse;
   for (IslandScalar& s : island.scalars) {
-    s.before_contacts += s.impulse;
+    s.earlier_impulse += s.impulse;
     s.low -= s.impulse;
     s.high -= s.impulse;
   }

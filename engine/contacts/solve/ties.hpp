@@ -17,8 +17,8 @@ double work_of_ties(const ContactIsland& island);
 void forget_turning(ContactIsland& island);
 /// Undoes `hold_ties` in ties and scalars: v0, w0 are set by the caller.
 void forget_held(ContactIsland& island);
-/// Lets ties answer v0, w0, which become the velocities that contacts begin with; the impulses go to `struck` of the ties. What
-/// contacts then give or take is held against velocities that ties allow.
+/// Lets ties answer v0, w0, which become the velocities that contacts begin with; the impulses are added to
+/// `earlier_impulse` of ties and scalars. What contacts then give or take is held against velocities that ties allow.
 void hold_ties(ContactIsland& island);
 
 }  // namespace pantin

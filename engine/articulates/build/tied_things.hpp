@@ -15,15 +15,15 @@ struct Thing {
 };
 
 /// What became of the inertia of bodies that were tied or got loose.
-struct Settled {
+struct InertiaChanges {
   double energy = 0.0;         ///< [J] that this gave
   std::vector<BodyId> lifted;  ///< move with more than their own
 };
 
-/// Finds anew what the edits since the last call touched: articulates in which a touched thing is no longer tied as it
-/// was are taken apart, and their things, with the untied things that were touched, are gathered into articulates or
+/// Finds anew what the edits since the last call concerned: articulates in which an edited thing is no longer tied as it
+/// was are taken apart, and their things, with the untied things that were edited, are gathered into articulates or
 /// found loose. Articulates stay in the order of their smallest serial.
-Settled find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
-                         std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
+InertiaChanges find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                                std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
 
 }  // namespace pantin

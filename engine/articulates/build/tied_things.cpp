@@ -1,4 +1,4 @@
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 
 #include <algorithm>
 
@@ -92,16 +92,16 @@ bool lives(const Model& model, Thing t) {
                    : model.points.alive_at(t.slot) && !model.points.at_slot(t.slot).body;
 }
 
-bool lives(const Model& model, const Touched& t) {
+bool lives(const Model& model, const EditedThing& t) {
   return t.body ? model.bodies.alive(t.body) : model.points.alive(t.point) && !model.points[t.point].body;
 }
 
-Thing thing_of(const Touched& t) { return t.body ? Thing{t.body.slot - 1, true} : Thing{t.point.slot - 1, false}; }
+Thing thing_of(const EditedThing& t) { return t.body ? Thing{t.body.slot - 1, true} : Thing{t.point.slot - 1, false}; }
 
 /// Which articulates are no longer as their things are tied.
 std::vector<char> changed_articulates(const Model& model, const Articulates& articulates) {
   std::vector<char> changed(articulates.size(), 0);
-  for (const Touched& t : model.touched) {
+  for (const EditedThing& t : model.edited_things) {
     if (t.articulate < 0) continue;
     char& mark = changed[static_cast<std::size_t>(t.articulate)];
     if (!mark)
@@ -110,14 +110,14 @@ std::vector<char> changed_articulates(const Model& model, const Articulates& art
   return changed;
 }
 
-/// Things of changed articulates, and touched untied ones; the dead among them.
+/// Things of changed articulates, and edited untied ones; the dead among them.
 std::vector<Thing> things_to_gather(const Model& model, const Articulates& articulates,
                                     const std::vector<char>& changed) {
   std::vector<Thing> list;
   for (std::size_t i = 0; i < articulates.size(); i++)
     if (changed[i])
       for (const Node& node : articulates[i]->nodes) list.push_back({node.slot, node.is_body});
-  for (const Touched& t : model.touched)
+  for (const EditedThing& t : model.edited_things)
     if (t.articulate < 0) list.push_back(thing_of(t));
   return list;
 }
@@ -161,17 +161,17 @@ void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, s
 }
 
 /// Bodies move with the inertia that they have loose or tied.
-void settle(Model& model, const std::vector<Thing>& found, bool tied, Settled& settled) {
+void take_inertia(Model& model, const std::vector<Thing>& found, bool tied, InertiaChanges& changes) {
   for (Thing t : found) {
     if (!t.is_body) continue;
     const BodyId body = model.bodies.id_at(t.slot);
-    settled.energy += settle_inertia(model, body, tied);
-    if (lift(model, body) > 0.0) settled.lifted.push_back(body);
+    changes.energy += settle_inertia(model, body, tied);
+    if (lift(model, body) > 0.0) changes.lifted.push_back(body);
   }
 }
 
 /// Finds what the given things are tied to; appends whatever else that is to them. Returns the new articulates.
-Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things, Settled& settled) {
+Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things, InertiaChanges& changes) {
   Articulates made;
   std::vector<Thing> loose;
   Search search(model);
@@ -182,7 +182,7 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
     bool constrained = false;
     std::vector<Thing> found = search.from(t, constrained);
     things.insert(things.end(), found.begin(), found.end());
-    settle(model, found, constrained, settled);
+    take_inertia(model, found, constrained, changes);
     if (!constrained) {
       loose.insert(loose.end(), found.begin(), found.end());
       continue;
@@ -197,24 +197,24 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
 
 }  // namespace
 
-Settled find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
-                         std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
-  Settled settled;
+InertiaChanges find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                                std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
+  InertiaChanges changes;
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
-  if (!model.topology_changed) return settled;
-  for (const Touched& t : model.touched)
+  if (!model.topology_changed) return changes;
+  for (const EditedThing& t : model.edited_things)
     if (t.articulate >= 0) wake(*articulates[static_cast<std::size_t>(t.articulate)]);
   const std::vector<char> changed = changed_articulates(model, articulates);
   std::vector<Thing> things = things_to_gather(model, articulates, changed);
-  model.touched.clear();
+  model.edited_things.clear();
   model.topology_changed = false;
-  if (things.empty()) return settled;
-  Articulates made = gather(model, articulates, things, settled);
+  if (things.empty()) return changes;
+  Articulates made = gather(model, articulates, things, changes);
   replace(model, articulates, changed, made);
   update_loose(model, things, true, loose_bodies);
   update_loose(model, things, false, loose_points);
-  return settled;
+  return changes;
 }
 
 }  // namespace pantin

@@ -130,7 +130,7 @@ TEST_CASE("running edits: a kick leaves the graph as it is, and moves the chain 
     kick(*world, chain.bodies[4], vec(1, 2, 3));
     set_spin(*world, chain.bodies[6], vec(0, 0, 2));
   }
-  touch(anew, chain.bodies[4]);
+  mark_edited(anew, chain.bodies[4]);
   const Articulate* before = kept.articulates.front().get();
   for (World* world : {&kept, &anew}) advance(*world, 1.0);
   CHECK(kept.articulates.front().get() == before);
