@@ -63,17 +63,17 @@ class PairCode::Writer final : public CodeWriter {
   }
 
  private:
-  static constexpr int registers = 12;  // of the law
+  static constexpr int registers = 11;  // of the law
 
   Xbyak::Address field(std::size_t offset) const { return ptr[rdi + offset]; }
   Xbyak::Address of_part(std::size_t offset) const { return ptr[part_ + offset]; }
   /// Where an attribute of the part's site is.
   Xbyak::Address of_site(std::size_t slot) const { return yword[rsp + InRegisters::frame_bytes(program_) + 32 * slot]; }
 
-  /// Four pairs after the other; of the last four those that are of the part. Which they are takes no branch: nobody could
-  /// guess it.
+  /// Four pairs after the other: the law of the next is worked out before the forces of these are added, so that nothing
+  /// waits for it. Which of the last four are of the part takes no branch: nobody could guess it.
   void write_part() {
-    Xbyak::Label four, last, over;
+    Xbyak::Label next, last, over;
     vmovapd(from_, of_part(offsetof(PairBlock::Part, from)));
     vxorpd(sums_[0], sums_[0], sums_[0]);
     vxorpd(sums_[1], sums_[1], sums_[1]);
@@ -83,21 +83,22 @@ class PairCode::Writer final : public CodeWriter {
     jl(over, T_NEAR);
     mov(edx, ecx);
     and_(edx, 3);
+    vmovapd(pull_, write_law(0));
     shr(ecx, 2);
     jz(last, T_NEAR);
-    L(four);
-    write_law();
-    for (int lane = 0; lane < 4; lane++) scatter(lane);
-    add(neighbour_, 16);
+    L(next);
     add(at_, 32);
+    const Xbyak::Ymm next_pull = write_law(16);
+    scatter(next_pull.getIdx());
+    vmovapd(pull_, next_pull);
+    add(neighbour_, 16);
     dec(ecx);
-    jnz(four, T_NEAR);
+    jnz(next, T_NEAR);
     L(last);
-    write_law();
     lea(rax, ptr[rip + lanes_]);
     shl(edx, 5);
     vandpd(pull_, pull_, ptr[rax + rdx]);
-    for (int lane = 0; lane < 4; lane++) scatter(lane);
+    scatter(registers);
     shr(edx, 3);
     lea(neighbour_, ptr[neighbour_ + rdx + 4]);
     lea(at_, ptr[at_ + rdx * 2 + 8]);
@@ -128,17 +129,23 @@ class PairCode::Writer final : public CodeWriter {
       for (int lane = 0; lane < 4; lane++) dq(lane <= last ? ~std::uint64_t{0} : 0);
   }
 
-  /// Works out force over distance of four pairs.
-  void write_law() {
-    for (std::size_t lane = 0; lane < 4; lane++) mov(others_[lane].cvt32(), ptr[neighbour_ + 4 * lane]);
+  /// Works out force over distance of four pairs, those that are so many bytes of neighbours ahead; says where it is then.
+  Xbyak::Ymm write_law(std::size_t ahead) {
+    Xbyak::Ymm pull = ymm0;
+    const auto is_of_neighbour = [](const Input& input) { return input.role == Role::attribute && input.who != 0; };
+    if (std::any_of(program_.inputs.begin(), program_.inputs.end(), is_of_neighbour)) find_others(ahead);
     InRegisters law(*this, program_, registers, [&](std::int32_t slot, const Xbyak::Ymm& to) { load(slot, to); });
     law.write([&](std::size_t output, const Xbyak::Ymm& value) {
-      if (output == 0) pull_ = value;
+      if (output == 0) pull = value;
       if (output == 0 || !law.makes(program_.outputs[output])) return;
       mov(rax, ptr[columns_ + 8 * static_cast<std::size_t>(program_.outputs[output])]);
       vmovupd(ptr[rax + at_], value);
     });
-    for (const Xbyak::Reg64& other : others_) shl(other, 5);
+    return pull;
+  }
+
+  void find_others(std::size_t ahead) {
+    for (std::size_t lane = 0; lane < 4; lane++) mov(others_[lane].cvt32(), ptr[neighbour_ + ahead + 4 * lane]);
   }
 
   void load(std::int32_t slot, const Xbyak::Ymm& to) {
@@ -156,20 +163,24 @@ class PairCode::Writer final : public CodeWriter {
     vinsertf128(to, to, high_, 1);
   }
 
-  void scatter(int lane) {
-    const Xbyak::Reg64& other = others_[static_cast<std::size_t>(lane)];
-    const int first = pull_.getIdx() < 4 ? 4 : 0;  // some register that is not `pull_`
-    const Xbyak::Ymm pull(first), force(first + 1);
-    if (lane == 0)
-      vbroadcastsd(pull, Xbyak::Xmm(pull_.getIdx()));
-    else
-      vpermpd(pull, pull_, static_cast<std::uint8_t>(0x55 * lane));
-    vsubpd(force, from_, ptr[x_ + other]);
-    vmulpd(force, force, pull);
-    const Xbyak::Ymm& sum = sums_[static_cast<std::size_t>(lane % 2)];
-    vaddpd(sum, sum, force);
-    vaddpd(force, force, ptr[force_ + other]);
-    vmovapd(ptr[force_ + other], force);
+  /// Adds the forces of four pairs to both sites. Leaves one register of the law as it is.
+  void scatter(int but) {
+    find_others(0);
+    const Xbyak::Ymm pull(but < 2 ? 2 : 0), force(but < 2 ? 3 : 1);
+    for (int lane = 0; lane < 4; lane++) {
+      const Xbyak::Reg64& other = others_[static_cast<std::size_t>(lane)];
+      shl(other, 5);
+      if (lane == 0)
+        vbroadcastsd(pull, Xbyak::Xmm(pull_.getIdx()));
+      else
+        vpermpd(pull, pull_, static_cast<std::uint8_t>(0x55 * lane));
+      vsubpd(force, from_, ptr[x_ + other]);
+      vmulpd(force, force, pull);
+      const Xbyak::Ymm& sum = sums_[static_cast<std::size_t>(lane % 2)];
+      vaddpd(sum, sum, force);
+      vaddpd(force, force, ptr[force_ + other]);
+      vmovapd(ptr[force_ + other], force);
+    }
   }
 
   const Program& program_;
@@ -177,8 +188,8 @@ class PairCode::Writer final : public CodeWriter {
   const std::array<Xbyak::Reg64, 4> others_{r8, r9, r10, r11};
   const Xbyak::Ymm from_ = ymm15;
   const std::array<Xbyak::Ymm, 2> sums_{ymm13, ymm14};
-  const Xbyak::Xmm high_ = xmm12;
-  Xbyak::Ymm pull_ = ymm0;
+  const Xbyak::Xmm high_ = xmm11;
+  const Xbyak::Ymm pull_ = ymm12;
   Xbyak::Label lanes_;
 };
 
