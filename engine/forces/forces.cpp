@@ -10,6 +10,7 @@
 #include "forces/integrator.hpp"
 #include "forces/solved.hpp"
 #include "laws/draws_noise.hpp"
+#include "laws/machine_code.hpp"
 
 namespace pantin {
 
@@ -187,6 +188,14 @@ void start_acting(World& world) {
   bring_in_energy(world);
 }
 
+/// Once, that laws do without code of the processor.
+void tell_refusal(World& world) {
+  const std::string said = "the system lets no program write code and run it: laws take up to twice as long";
+  const auto is_it = [&](const LogLine& line) { return line.text == said; };
+  if (machine_code_refused() && std::none_of(world.log.begin(), world.log.end(), is_it))
+    log_line(world, "warning", said);
+}
+
 void make_forces(World& world) {
   world.forces = build_forces(world);
   world.force_elements_changed = false;
@@ -198,6 +207,7 @@ void make_forces(World& world) {
   find_receivers(world, *world.forces);
   start(world, *world.forces);
   start_acting(world);
+  tell_refusal(world);
 }
 
 /// The same where edits changed what some sites are, or the state of what they are on.

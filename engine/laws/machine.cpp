@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "laws/kernels.hpp"
+#include "laws/machine_code.hpp"
 #include "laws/program.hpp"
 
 namespace pantin {
@@ -84,6 +85,7 @@ struct Machine::Memory {
   std::unique_ptr<double[], Free> values;
   std::vector<double*> columns;  // by slot; of a bound input somewhere else, only read
   std::vector<Stage> uniform, code;
+  std::shared_ptr<const MachineCode> machine_code;
   int capacity;  // values in a column
   int stride;    // from slot to slot
 
@@ -150,9 +152,14 @@ void Machine::fill(int input, double value) { std::fill_n(column(input), memory_
 
 void Machine::run_uniform() { memory_->run(memory_->uniform, memory_->capacity); }
 
+void Machine::use(std::shared_ptr<const MachineCode> code) { memory_->machine_code = std::move(code); }
+
 void Machine::run(int n) {
+  if (memory_->machine_code) return memory_->machine_code->run(memory_->columns.data(), n);
   memory_->run(memory_->code, (n + kernels::padding - 1) / kernels::padding * kernels::padding);
 }
+
+double* const* Machine::columns() const { return memory_->columns.data(); }
 
 const double* Machine::output(int k) const {
   return memory_->at(memory_->program.outputs[static_cast<std::size_t>(k)]);

@@ -55,6 +55,8 @@ struct Uniform {
 /// Makes a program for some expressions of a graph.
 Program lower(const Expressions& graph, std::span<const Expr> outputs, Uniform uniform = {});
 
+class MachineCode;
+
 /// The memory to run a program in; one for each thread.
 class Machine {
  public:
@@ -67,6 +69,9 @@ class Machine {
   ~Machine();
   Machine(Machine&&) noexcept;
   Machine& operator=(Machine&&) noexcept;
+
+  /// Runs by this, made of the same program, from now on; by itself where it is null.
+  void use(std::shared_ptr<const MachineCode> code);
 
   /// Index of an input in the program, or -1 where it does not depend on it.
   int input(const Input& input) const;
@@ -82,6 +87,7 @@ class Machine {
   void run(int n);
   /// n values; may be the column of an input.
   const double* output(int k) const;
+  double* const* columns() const;  ///< by slot
 
  private:
   struct Memory;

@@ -17,6 +17,7 @@
 #include "forces/forces.hpp"
 #include "laws/program.hpp"
 #include "laws/run/bonds.hpp"
+#include "laws/run/pair_code.hpp"
 #include "lua/scene/open.hpp"
 #include "player/bench.hpp"
 #include "scene/scene.hpp"
@@ -118,8 +119,14 @@ void print_memory(const cases::Melt& melt, const MeltCase& of) {
   const auto n = static_cast<double>(melt.positions.size()),
              pairs = static_cast<double>(acting.pairs.neighbours.pairs()),
              bytes = static_cast<double>(acting.pairs.neighbours.memory());
-  std::printf("%s: %zu operations for the force, %.1f pairs a particle; rows take %.2f bytes a pair, %.0f a particle\n",
-              of.name, lower(acting.law->graph, acting.law->force).operations(), pairs / n, bytes / pairs, bytes / n);
+  const Program program = lower(acting.law->graph, acting.law->force);
+  const double start = now();
+  const auto code = PairCode::of(*acting.law, program);
+  const double writing = code ? now() - start : 0.0;
+  std::printf(
+      "%s: %zu operations for the force, written as code in %.0f µs; %.1f pairs a particle; rows take %.2f bytes a "
+      "pair, %.0f a particle\n",
+      of.name, program.operations(), writing * 1e6, pairs / n, bytes / pairs, bytes / n);
 }
 
 void bench_melts(bool peers) {

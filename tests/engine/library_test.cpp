@@ -34,31 +34,6 @@ TEST_CASE("library laws have names, units and sources") {
 
 namespace {
 
-std::vector<std::vector<Law>> one_of_each() {
-  const Numbers drag = {{"linear", 0.3}, {"quadratic", 0.2}};
-  return {make("spring", {{"stiffness", 40.0}, {"length", 1.2}, {"damping", 2.0}}),
-          make("damper", {{"damping", 2.0}}),
-          make("gravitation", {{"constant", 2.0}, {"softening", 0.1}}),
-          make("coulomb", {{"constant", 2.0}}),
-          make("lennard_jones", {{"epsilon", 1.3}, {"sigma", 0.9}}),
-          make("wca", {{"epsilon", 1.3}, {"sigma", 0.9}}),
-          make("morse", {{"depth", 3.0}, {"steepness", 2.0}, {"length", 1.1}}),
-          make("buckingham", {{"repulsion", 50.0}, {"steepness", 3.0}, {"attraction", 2.0}}),
-          make("yukawa", {{"strength", 2.0}, {"screening", 0.8}}),
-          make_library_law("table", table_arguments({0.4, 0.8, 1.3, 2.0}, {3.0, 1.0, -1.0, 0.0}, {})),
-          make("hydrophobic", {{"strength", 1.5}, {"size", 0.9}}),
-          make("repel", {{"stiffness", 20.0}}),
-          make("flock", {{"sight", 3.0}, {"separation", 0.4}, {"alignment", 0.7}, {"cohesion", 0.2}}),
-          make("drag", drag),
-          make("wind", drag, {{"velocity", vec(1.0, 2.0, 3.0)}}),
-          make("vortex", {{"circulation", 5.0}, {"core", 0.5}, {"linear", 0.3}}, {{"axis", vec(0.0, 2.0, 1.0)}}),
-          make("buoyancy", {{"density", 1000.0}}),
-          make("thermostat", {{"rate", 2.0}, {"temperature", 300.0}}),
-          make("wall", {{"stiffness", 100.0}, {"damping", 4.0}, {"friction", 0.5}}, {{"normal", vec(0.0, 1.0, 1.0)}}),
-          make("angle", {{"stiffness", 3.0}, {"angle", 1.9}}),
-          make("torsion", {{"stiffness", 2.0}, {"angle", 0.4}, {"fold", 3.0}})};
-}
-
 void check_program(const Law& law, Uniform uniform) {
   std::vector<Expr> outputs = law.force;
   for (Expr e : {law.energy, law.stiffness}) {

@@ -17,6 +17,9 @@ std::vector<Law> make(const std::string& name, Numbers numbers = {}, std::map<st
 LawArguments table_arguments(std::vector<double> distances, std::vector<double> potentials,
                              std::vector<double> tensions);
 
+/// Each law of the library, with its parts.
+std::vector<std::vector<Law>> one_of_each();
+
 /// Particles somewhere near each other, moving; with every attribute that a law may want.
 LawState some_particles(std::size_t count, double size, std::uint64_t seed);
 /// Two particles at a distance of r, the second going away at 0.4 m/s and sideways.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "laws/machine_code.hpp"
 #include "laws/noise.hpp"
 
 namespace pantin {
@@ -32,16 +33,20 @@ std::size_t force_outputs(const Law& law) {
   return law.kind == LawKind::many ? 3 * static_cast<std::size_t>(law.count) : 3;
 }
 
-LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string> names, Uniform uniform)
+LawProgram::LawProgram(const Law& law, bool with_energy, Uniform uniform) {
+  if (law.called) return;
+  program = lower(law.graph, outputs_of(law, with_energy), uniform);
+  code = MachineCode::of(program);
+}
+
+LawBlock::LawBlock(const Law& law, const LawProgram& program, std::span<const std::string> names)
     : count_(static_cast<std::size_t>(law.count)), called_(law.called) {
-  Program program;
-  if (!called_) program = lower(law.graph, outputs_of(law, with_energy), uniform);
-  const std::vector<Input>& inputs = called_ ? law.inputs_wanted : program.inputs;
+  const std::vector<Input>& inputs = called_ ? law.inputs_wanted : program.program.inputs;
   const std::size_t outputs = called_ ? force_outputs(law) + (law.called_energy ? 1 : 0) : 0;
   memory_.assign((1 + inputs.size() + outputs) * length, unset);
   slots_.assign(8 * length, 0);
   for (std::size_t who = 0; who < 4; who++) sites[who] = slots_.data() + who * length;
-  if (!called_) machine_.emplace(program);
+  if (!called_) machine_.emplace(program.program).use(program.code);
   distance2 = memory_.data() + used_++ * length;
   parameters_.resize(law.parameters.size());
   called_parameters_.reserve(law.parameters.size());
@@ -77,7 +82,7 @@ void LawBlock::take_input(const Law& law, std::span<const std::string> names, co
     case Role::attribute: {
       const auto found = std::find(names.begin(), names.end(), input.name);
       require(found != names.end(), law.name, ": there is no attribute \"", input.name, "\"");
-      attributes.push_back({input.who, static_cast<std::size_t>(found - names.begin()), take_column(input)});
+      attributes.push_back({input.who, static_cast<std::size_t>(found - names.begin()), take_column(input), number});
       break;
     }
     case Role::parameter: {
@@ -121,6 +126,11 @@ void LawBlock::gather_of(std::span<const std::uint32_t* const> roles, std::size_
     for (std::size_t k = 0; k < n; k++) attribute.to[k] = column[site[k]];
   }
   for (std::size_t who = 0; wants_sites && who < roles.size(); who++) std::copy_n(roles[who], n, sites[who]);
+}
+
+void LawBlock::bind_attributes(const Sites& sites_of_all) {
+  for (const Attribute& attribute : attributes)
+    machine_->bind(attribute.input, sites_of_all.attributes[attribute.column].data());
 }
 
 void LawBlock::run(int n, const Sites& sites_of_all) {

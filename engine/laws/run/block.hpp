@@ -15,6 +15,16 @@
 
 namespace pantin {
 
+class MachineCode;
+
+/// What a law is run as, for all threads.
+struct LawProgram {
+  Program program;  ///< empty of a called law
+  std::shared_ptr<const MachineCode> code;
+
+  LawProgram(const Law& law, bool with_energy, Uniform uniform);
+};
+
 /// Columns to be filled with what the law wants to see, null where it does not; then `run`, and columns to be read.
 class LawBlock {
  public:
@@ -25,11 +35,12 @@ class LawBlock {
     std::size_t who = 0;
     std::size_t column = 0;  ///< of Sites::attributes
     double* to = nullptr;
+    int input = -1;  ///< of the program
   };
   using Vector = std::array<double*, 3>;  ///< columns of the components
 
   /// Throws Error where the law wants an attribute that is not among `names`.
-  LawBlock(const Law& law, bool with_energy, std::span<const std::string> names, Uniform uniform = {});
+  LawBlock(const Law& law, const LawProgram& program, std::span<const std::string> names);
 
   double* distance2 = nullptr;  ///< never null
   double* approach = nullptr;
@@ -46,6 +57,9 @@ class LawBlock {
   void bind_parameter(std::size_t parameter, const double* values);
   /// Fills in attributes, and who they are, of n whose sites are those of each role.
   void gather_of(std::span<const std::uint32_t* const> roles, std::size_t n, const Sites& sites_of_all);
+  /// Reads attributes in place: columns of the sites themselves.
+  void bind_attributes(const Sites& sites_of_all);
+  double* const* columns() const { return machine_->columns(); }  ///< by slot of the program
   /// n <= most.
   void run(int n, const Sites& sites_of_all);
   /// The forces as LawKind says, then the energy.
@@ -100,6 +114,7 @@ struct Block {
   int count = 0;
   std::size_t first = 0;      ///< number of the first, of connections and members
   bool in_lanes = false;      ///< energies are summed four at a time
+  bool in_one_pass = false;   ///< the law is run when forces are scattered
   AlignedVector<Vec3> d;      ///< [m] from a to b, of pairs where the law wants it
   AlignedVector<Vec3> u;      ///< [m/s] velocity of b less that of a, where the law wants it
   double sign = 1.0;          ///< -1: with the roles exchanged, these are from b to a

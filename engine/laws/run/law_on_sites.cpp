@@ -1,6 +1,7 @@
 #include "laws/run/law_on_sites.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "laws/velocity_slopes.hpp"
 
@@ -9,11 +10,16 @@ namespace pantin {
 namespace {
 
 void add_four_at_a_time(const double* energy, int n, CompensatedLanes& sum) {
-  for (int k = 0; k < n; k += 4) {
-    Vec3 four = zero3();
-    for (int lane = 0; lane < std::min(4, n - k); lane++) four[lane] = energy[k + lane];
+  Vec3 four = zero3();
+  int k = 0;
+  for (; k + 4 <= n; k += 4) {
+    std::memcpy(&four, energy + k, sizeof four);
     sum.add(four);
   }
+  if (k == n) return;
+  four = zero3();
+  for (int lane = 0; lane < n - k; lane++) four[lane] = energy[k + lane];
+  sum.add(four);
 }
 
 /// Makes a block show all that it can.
@@ -50,9 +56,12 @@ LawOnSites& LawOnSites::operator=(LawOnSites&&) noexcept = default;
 LawOnSites::~LawOnSites() = default;
 
 void LawOnSites::make_blocks() {
-  for (std::size_t k = 0; k < workers_; k++) {
-    plain_.push_back(make_block(LawBlock(*law_, false, names_, uniform_)));
-    if (law_->has_energy()) energetic_.push_back(make_block(LawBlock(*law_, true, names_, uniform_)));
+  for (const bool with_energy : {false, true}) {
+    if (with_energy && !law_->has_energy()) continue;
+    const LawProgram program(*law_, with_energy, uniform_);
+    Blocks& made = with_energy ? energetic_ : plain_;
+    for (std::size_t k = 0; k < workers_; k++) made.push_back(make_block(LawBlock(*law_, program, names_)));
+    speed_up(made, program.program);
   }
 }
 
@@ -137,8 +146,9 @@ double LawOnSites::add_forces_and_energy(Sites& sites, const Box& box, const Ins
 void LawOnSites::make_sloped() {
   const std::shared_ptr<const Law> law = with_velocity_slopes(*law_);
   linear_ = is_linear_in_velocity(*law);
+  const LawProgram program(*law, false, uniform_);
   for (std::size_t k = 0; k < (law_->kind == LawKind::point ? workers_ : 1); k++)
-    sloped_.push_back(make_block(with_all(LawBlock(*law, false, names_, uniform_))));
+    sloped_.push_back(make_block(with_all(LawBlock(*law, program, names_))));
 }
 
 bool LawOnSites::add_slopes(const Sites& sites, const Box& box, const Instant& instant,
@@ -170,7 +180,8 @@ bool LawOnSites::add_slopes(const Sites& sites, const Box& box, const Instant& i
 
 std::optional<BadForce> LawOnSites::find_bad(const Sites& sites, const Box& box, const Instant& instant,
                                              std::span<const double> parameters) const {
-  const std::unique_ptr<Block> block = make_block(with_all(LawBlock(*law_, false, names_, uniform_)));
+  const std::unique_ptr<Block> block =
+      make_block(with_all(LawBlock(*law_, LawProgram(*law_, false, uniform_), names_)));
   block->law.set(instant, parameters);
   std::optional<BadForce> bad;
   std::size_t least = 0;

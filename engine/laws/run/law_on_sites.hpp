@@ -72,7 +72,7 @@ class LawOnSites {
   void each_block(Block& block, Task task, const Sites& sites, const Box& box, Each each) const {
     while (task.at < task.end || task.exchange) {
       gather(block, task, sites, box);
-      block.law.run(block.count, sites);
+      if (!block.in_one_pass) block.law.run(block.count, sites);
       each(block);
     }
   }
@@ -85,6 +85,8 @@ class LawOnSites {
   virtual std::vector<Task> in_order() const;
   virtual bool is_small() const { return false; }  ///< not worth sharing out
   virtual std::unique_ptr<Block> make_block(LawBlock made) const = 0;
+  /// Has blocks that were made for this program go about it another way, where that is faster.
+  virtual void speed_up(Blocks& /*blocks*/, const Program& /*program*/) const {}
   /// Fills a block with what comes next.
   virtual void gather(Block& block, Task& task, const Sites& sites, const Box& box) const = 0;
   virtual void scatter(const Block& block, const Sites& sites, Vec3* force) = 0;

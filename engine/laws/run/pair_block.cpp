@@ -48,7 +48,7 @@ void pick(double* to, int n, const double* from, const std::uint32_t* which) {
 }  // namespace
 
 PairBlock::PairBlock(LawBlock made) : Block(std::move(made), LawBlock::most) {
-  neighbours.assign(LawBlock::most, 0);
+  neighbours.assign(LawBlock::room, 0);
   in_lanes = true;
 }
 
@@ -83,6 +83,7 @@ void PairBlock::take_near(const Sites& sites, const Vec3* shifts, const PairLimi
   }
   task = next;
   count = static_cast<int>(n);
+  std::fill_n(to + n, 4, n > 0 ? to[n - 1] : 0u);  // four at a time are looked at, and get nothing
 }
 
 void PairBlock::keep_touching(const double* radius) {
@@ -139,7 +140,10 @@ void PairBlock::gather(const Sites& sites, const Vec3* shifts, const PairLimits&
   take_near(sites, shifts, limits, task);
   if (radius != nullptr) keep_touching(radius);
   if (law.wants_displacement || law.wants_motion) gather_vectors(sites);
-  gather_attributes(sites, false);
+  if (code)
+    law.bind_attributes(sites);
+  else
+    gather_attributes(sites, false);
   if (law.wants_sites) gather_sites(false);
 }
 

@@ -2,6 +2,7 @@
 // The pairs of some rows that are near enough, on their way through a law, in one thread.
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "base/aligned.hpp"
@@ -9,6 +10,8 @@
 #include "laws/run/neighbours.hpp"
 
 namespace pantin {
+
+class PairCode;
 
 struct PairLimits {
   double cutoff2 = 0.0;  ///< [m²] pairs that are not nearer are left out
@@ -27,6 +30,7 @@ struct PairBlock : Block {
   AlignedVector<std::uint32_t> neighbours;
   std::array<Part, LawBlock::most> parts;
   int part_count = 0;
+  std::shared_ptr<const PairCode> code;  ///< in one pass: reads attributes at the sites
 
   explicit PairBlock(LawBlock made);
 

@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "laws/run/pair_block.hpp"
+#include "laws/run/pair_code.hpp"
 
 namespace pantin {
 
@@ -83,6 +84,14 @@ Task Pairs::task(std::size_t phase, std::size_t number) const {
 
 std::unique_ptr<Block> Pairs::make_block(LawBlock made) const { return std::make_unique<PairBlock>(std::move(made)); }
 
+void Pairs::speed_up(Blocks& made, const Program& program) const {
+  const std::shared_ptr<const PairCode> code = law().called ? nullptr : PairCode::of(law(), program);
+  for (const auto& block : made) {
+    static_cast<PairBlock&>(*block).code = code;
+    block->in_one_pass = code != nullptr;
+  }
+}
+
 void Pairs::gather(Block& to, Task& task, const Sites& sites, const Box& /*box*/) const {
   auto& block = static_cast<PairBlock&>(to);
   if (std::exchange(task.exchange, false)) return block.exchange_roles(sites);
@@ -95,6 +104,7 @@ void Pairs::gather(Block& to, Task& task, const Sites& sites, const Box& /*box*/
 
 void Pairs::scatter(const Block& made, const Sites& sites, Vec3* force) {
   const auto& block = static_cast<const PairBlock&>(made);
+  if (block.code) return block.code->run(block, sites, force);
   const bool central = law().kind == LawKind::central;
   const Vec3* x = sites.x.data();
   if (block.sign < 0.0)

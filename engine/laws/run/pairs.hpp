@@ -19,6 +19,7 @@ class Pairs final : public LawOnSites {
   Task task(std::size_t phase, std::size_t number) const override;
   bool is_small() const override;
   std::unique_ptr<Block> make_block(LawBlock made) const override;
+  void speed_up(Blocks& blocks, const Program& program) const override;
   void gather(Block& block, Task& task, const Sites& sites, const Box& box) const override;
   void scatter(const Block& block, const Sites& sites, Vec3* force) override;
 
