@@ -52,6 +52,7 @@ struct Walk {
 Walk walk(const Graph& graph, std::span<const std::int32_t> starts) {
   Walk w;
   w.from.assign(graph.size(), -1);
+  w.order.reserve(graph.size());
   std::vector<char> seen(graph.size(), 0);
   for (std::int32_t start : starts) {
     w.order.push_back(start);
@@ -96,6 +97,8 @@ Vec3 arm_at(const TreeHinge& hinge, std::int32_t node) { return hinge.a == node 
 void set_constants(Tree& tree, std::span<const TreeNode> nodes) {
   tree.batches.assign((tree.pairs.size() + 1) / 2,
                       {zero3x4(), zero3x4(), zero3x4(), zero3x4(), lanes(1.0), lanes(0.0), lanes(0.0)});
+  tree.masses.reserve(nodes.size());
+  tree.extents.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); i++) {
     Tree::Batch& b = tree.batches[tree.slots[i] / batch_size];
     const std::size_t lane = tree.slots[i] % batch_size;
@@ -141,6 +144,7 @@ void set_pairs(Tree& tree, const Elimination& e) {
   const auto key = [&](std::int32_t v) { return std::pair{e.height[static_cast<std::size_t>(v)], e.kind(v)}; };
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
   tree.slots.assign(e.graph.size(), 0);
+  tree.pairs.reserve(order.size());
   for (std::size_t i = 0; i < order.size(); i++) {
     const bool second =
         i > 0 && tree.slots[static_cast<std::size_t>(order[i - 1])] % 2 == 0 && key(order[i - 1]) == key(order[i]);
@@ -189,6 +193,7 @@ void set_arms(Tree& tree, const Elimination& e, std::span<const TreeNode> nodes,
 void set_steps(Tree& tree, const Graph& graph, std::span<const TreeHinge> hinges) {
   const auto world = static_cast<std::int32_t>(tree.nodes), start = tree.anchored ? world : 0;
   const Walk w = walk(graph, {&start, 1});
+  tree.steps.reserve(graph.size());
   for (std::int32_t to : w.order) {
     const std::int32_t from = w.from[static_cast<std::size_t>(to)];
     if (from < 0) continue;

@@ -26,8 +26,10 @@ bool is_tree_of_hinges(const Articulate& a) {
 std::shared_ptr<const Tree> tree_of(const Articulate& a) {
   if (!is_tree_of_hinges(a)) return nullptr;
   std::vector<TreeNode> nodes;
+  nodes.reserve(a.nodes.size());
   for (const Node& n : a.nodes) nodes.push_back({n.mass, n.inertia, n.turns ? n.inverse_inertia : zero3(), extent(n)});
   std::vector<TreeHinge> hinges;
+  hinges.reserve(a.rows.size());
   for (const Row& row : a.rows) hinges.push_back({row.a, row.b, row.la, row.lb});
   return std::make_shared<const Tree>(make_tree(nodes, hinges));
 }
@@ -182,6 +184,7 @@ void tell_forces(Articulate& a, std::vector<Vec3>& before, double h) {
 bool is_too_stiff(const Articulate& a, double own_rate2, double h, double most) {
   const double stable = stable_length(own_rate2);
   const double per_stage = h / stable;
+  if (per_stage > sub_step_limit) return true;  // more than it may take
   if (per_stage <= most * a.sub_steps.count) return false;
   return !(a.course.next > 0.0) || a.course.next > 1.5 * stable;
 }
