@@ -9,7 +9,7 @@
 //   C = K_in,in - K_in,out D⁻¹ K_out,in                   β = a_in - K_in,out D⁻¹ ρ
 // with a = g + α x r + ω x (ω x r), α = W (L x ω), what the point would do without hinges. The world yields nothing. Where
 // more than one hinge is outside of a node (a branch), each changes by how much a force and a torque move it, one after the
-// other, so a hub of n hinges costs what n links do.
+// other, so a hub costs in proportion to its hinges, each two or three links.
 #include <array>
 #include <cstdint>
 #include <span>

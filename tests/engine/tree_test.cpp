@@ -80,7 +80,7 @@ TEST_CASE("tree: rates are those that one system of all hinges gives") {
   }
 }
 
-TEST_CASE("tree: a hub of many hinges is one branch, and costs what they do") {
+TEST_CASE("tree: a hub of many hinges is one branch, with an arm for each") {
   Random random;
   const cases::RandomTree hub = cases::make_random_tree(random, {300, true, 250});
   CHECK(wrong(hub) <= 1e-10);
