@@ -77,6 +77,7 @@ Table stats(const World& world) {
   count("rejected_steps", s.rejected);
   table.push_back({"missed_accuracy", worst_missed(world)});
   count("projections", s.projections);
+  count("evaluations", s.evaluations);
   count("contacts", s.contacts);
   count("contact_islands", s.contact_islands);
   count("contact_iterations", s.contact_iterations);

@@ -71,7 +71,8 @@ std::vector<Property> steps() {
       property<None>(
           "accuracy", "number?", "1/s",
           "wanted error per second, relative to the distance between what interacts, or to how far it swings beside a "
-          "uniform motion where it interacts with nothing; sub-steps follow from it. Functions of time that ties "
+          "uniform motion where it interacts with nothing; sub-steps follow from it, and what is a tree of hinges "
+          "moves as with \"adaptive\". Functions of time that ties "
           "follow "
           "are then asked at each quarter of a step (default none: fixed steps)",
           [](const World& w, None) { return w.settings.accuracy; },
@@ -92,7 +93,8 @@ std::vector<Property> steps() {
           "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (1st order, semi-implicit; free "
           "particles "
           "as with "
-          "\"verlet\") (default `\"verlet\"`)",
+          "\"verlet\"), \"adaptive\" (\"verlet\", but what is a tree of hinges and nails under gravity alone moves in "
+          "its own rotations, of 8th order, to `accuracy`, or to 1e-6 where none is wanted) (default `\"verlet\"`)",
           [](const World& w, None) { return name_of(w.settings.integrator); },
           [](World& w, None, const std::string& name) { write_integrator(w, name); }),
       property<None>(

@@ -128,12 +128,12 @@ class Studying {
     return world.time >= end;
   }
 
-  /// The scene's own first.
+  /// The scene's own first. The error of "adaptive" is no matter of the step's length.
   void try_integrators() {
     std::vector<std::string> names = {study_.integrator};
     for (const NamedIntegrator& known : integrators)
-      if (const std::string name(known.name);
-          name != study_.integrator && options_.set.find("scene.integrator") == options_.set.end())
+      if (const std::string name(known.name); name != study_.integrator && known.integrator != Integrator::adaptive &&
+                                              options_.set.find("scene.integrator") == options_.set.end())
         names.push_back(name);
     for (const std::string& name : names) {
       try {

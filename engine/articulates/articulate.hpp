@@ -16,6 +16,7 @@
 #include "articulates/rest.hpp"
 #include "constraints/row.hpp"
 #include "model/model.hpp"
+#include "trees/tree_course.hpp"
 
 namespace pantin {
 
@@ -104,9 +105,11 @@ struct DriftReport {
   double after_edit = 0.0;            // [J] of making velocities consistent after an edit
   double projected = 0.0;             // [J] of the symmetric projection
   double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
-  double unsolved = 0.0;   // [J] of forces on gaps that the iteration left open; only where the ledger is kept
-  double round_off = 0.0;  // [J] of the work of rows; the same
-  double returned = 0.0;   // [J] given back of what the projection took
+  double unsolved = 0.0;          // [J] of forces on gaps that the iteration left open; only where the ledger is kept
+  double round_off = 0.0;         // [J] of the work of rows; the same
+  double inexact = 0.0;           // [J] change of the energy by a tree's steps that nothing from outside made; the same
+  std::uint32_t evaluations = 0;  // of a tree's rates
+  double returned = 0.0;          // [J] given back of what the projection took
 
   double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
@@ -205,8 +208,11 @@ struct ArticulateState {
   double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
-  DriftReport report;  // of the last phase
-  NodeTotals totals;   // at the end of the last step
+  TreeCourse course;       // where its tree is, between the moments at which its nodes are told
+  bool by_tree = false;    // it was moved by its tree last, and its velocities are as the rows want them
+  std::uint16_t calm = 0;  // steps since it became too stiff for its tree in which it was not
+  DriftReport report;      // of the last phase
+  NodeTotals totals;       // at the end of the last step
   Rest rest;
 };
 
@@ -229,6 +235,8 @@ struct Articulate : ArticulateState {
   std::vector<Vec3> right_side;  // (rows of the factor)
   std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
   Predictor predictor;
+  std::shared_ptr<const Tree> as_tree;  // null where it is none, or it was not asked for
+  bool tree_sought = false;
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]

@@ -15,6 +15,8 @@ namespace pantin {
 
 namespace {
 
+constexpr double default_tree_accuracy = 1e-6;  // [1/s]
+
 constexpr IntegratorStage whole[] = {{1.0, 1.0}};
 
 /// Suzuki 1990: five second-order steps whose errors of third order cancel, a = 1/(4 - cbrt 4).
@@ -87,6 +89,7 @@ constexpr std::array<IntegratorRule, integrators.size()> rules = {{
      .conserves = false,
      .refuses = what_is_tied_or_noisy},
     {.integrator = Integrator::euler, .stages = whole, .conserves = false},
+    {.integrator = Integrator::adaptive, .stages = whole, .divides = true},
 }};
 
 }  // namespace
@@ -107,6 +110,16 @@ void require_integrator_fits(const World& world) {
   require(!world.settings.accuracy || rule.divides,
           "scene: accuracy chooses the sub-steps of \"verlet\"; the integrator \"", name_of(rule.integrator),
           "\" has fixed steps");
+}
+
+double wanted_accuracy(const World& world) {
+  const double wanted = *world.settings.accuracy;
+  return world.settings.accuracy_per_step ? wanted / world.settings.step : wanted;
+}
+
+double tree_accuracy(const World& world) {
+  if (world.settings.accuracy) return wanted_accuracy(world);
+  return world.settings.integrator == Integrator::adaptive ? default_tree_accuracy : 0.0;
 }
 
 std::string try_accuracy(const World& world) {

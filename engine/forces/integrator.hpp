@@ -31,6 +31,11 @@ inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.
 /// Throws Error where the integrator of the settings cannot move the world, or the accuracy needs another one.
 void require_integrator_fits(const World& world);
 
+/// The wanted error [1/s], relative to sizes; `accuracy` must be set.
+double wanted_accuracy(const World& world);
+/// That of trees, which are moved with it: 0 where they are moved as all else is.
+double tree_accuracy(const World& world);
+
 /// Counts that not even the most sub-steps gave the accuracy, but an error of `rate` [1/s], by what: a law or a thing. Warns
 /// of the largest.
 void tell_unreached(World& world, double rate, const std::string& by);

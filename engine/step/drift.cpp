@@ -10,6 +10,7 @@
 #include "articulates/solve/settle.hpp"
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/sub_steps.hpp"
+#include "articulates/solve/tree_drift.hpp"
 #include "base/check.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"
@@ -20,6 +21,7 @@
 #include "step/reject.hpp"
 #include "step/rk4.hpp"
 #include "step/share.hpp"
+#include "trees/tree.hpp"
 
 namespace pantin::phases {
 
@@ -121,6 +123,7 @@ void count(World& world, const Articulate& articulate) {
   world.stats.halved_steps += report.halved;
   world.stats.fallback_steps += report.fallbacks;
   world.stats.solves++;
+  world.stats.evaluations += report.evaluations;
   world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
   world.work += report.nonconservative_work;
   world.nonconservative_work += report.nonconservative_work;
@@ -197,12 +200,53 @@ void tell_too_stiff(World& world, const Articulate& a) {
                 " s cannot be solved, and in fallback steps its length is held as it is; a rod keeps a length"));
 }
 
+/// Which articulates laws act on, or may touch something; none: none.
+std::vector<char> articulates_acted_on(const World& world) {
+  if (!world.forces && !world.contact_finder && !world.solids) return {};
+  std::vector<char> acted_on(world.articulates.size(), 0);
+  const auto mark = [&](std::int32_t articulate) {
+    if (articulate >= 0) acted_on[static_cast<std::size_t>(articulate)] = 1;
+  };
+  if (world.forces)
+    for (const Receiver& r : world.forces->receivers) mark(r.articulate);
+  if (world.contact_finder)
+    for (std::uint32_t slot = 0; slot < world.bodies.slots(); slot++)
+      if (world.bodies.alive_at(slot) && !world.bodies.at_slot(slot).shapes.empty())
+        mark(world.motion[slot].articulate);
+  if (world.solids)
+    for (std::uint32_t slot = 0; slot < world.points.slots(); slot++)
+      if (world.points.alive_at(slot)) mark(world.points.at_slot(slot).articulate);
+  return acted_on;
+}
+
+/// Whether loading would leave the nodes as they are.
+bool is_as_left(const World& world, const Articulate& articulate) {
+  const Node& first = articulate.nodes.front();
+  if (world.pushed || !same(first.force, world.settings.gravity * first.mass)) return false;
+  return std::all_of(articulate.nodes.begin(), articulate.nodes.end(), [&](const Node& n) {
+    if (!n.is_body) {
+      const FreeMotion& m = world.free_motion[n.slot];
+      return same(m.x, n.x0) && same(m.v, n.p0 * n.inverse_mass);
+    }
+    const Motion& m = world.motion[n.slot];
+    const Quat q = n.turns ? normalised(n.q0) : n.q0;
+    return same(m.x, n.x0) && same(m.p, n.p0) && same(m.angular, n.P0) && m.q.w == q.w && m.q.x == q.x &&
+           m.q.y == q.y && m.q.z == q.z;
+  });
+}
+
 /// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
 template <class Move>
 void drift_articulates(World& world, Move move) {
   share_articulates(world, [&](Articulate& articulate, int worker) {
     if (articulate.rest.asleep) return;
-    if (world.stage.from == 0.0) load(articulate, world, world.settings.gravity);
+    if (world.stage.from == 0.0) {
+      articulate.by_tree = articulate.by_tree && is_as_left(world, articulate);
+      if (!articulate.by_tree)
+        load(articulate, world, world.settings.gravity);
+      else
+        load_conditions(articulate, world);
+    }
     begin_report(articulate);
     move(articulate, worker);
   });
@@ -217,6 +261,13 @@ void drift_articulates(World& world, Move move) {
     post_solved_laws(world, *articulate);
     count(world, *articulate);
   }
+}
+
+/// Where it is in World::articulates.
+std::size_t index_of(const World& world, const Articulate& articulate) {
+  const Node& n = articulate.nodes.front();
+  return static_cast<std::size_t>(n.is_body ? world.motion[n.slot].articulate
+                                            : world.points.at_slot(n.slot).articulate);
 }
 
 void drift_by_midpoint(World& world) {
@@ -235,9 +286,18 @@ void drift_by_midpoint(World& world) {
     if (missed[slot] > 0.0)
       tell_unreached(world, missed[slot],
                      "the turning of " + describe(world, world.bodies.id_at(static_cast<std::uint32_t>(slot))));
+  const double tree = tree_accuracy(world);
+  const std::vector<char> acted_on = tree > 0.0 ? articulates_acted_on(world) : std::vector<char>();
+  while (tree > 0.0 && world.tree_works.size() < static_cast<std::size_t>(world.workers->count()))
+    world.tree_works.push_back(std::make_unique<TreeWork>());
   drift_articulates(world, [&](Articulate& articulate, int worker) {
+    const auto w = static_cast<std::size_t>(worker);
+    if (tree > 0.0 && (acted_on.empty() || !acted_on[index_of(world, articulate)]) &&
+        drift_as_tree(articulate, settings, tree, *world.tree_works[w], articulate.report))
+      return;
+    articulate.by_tree = false;
     if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
-    drift_accurately(articulate, settings, wanted, *world.trials[static_cast<std::size_t>(worker)]);
+    drift_accurately(articulate, settings, wanted, *world.trials[w]);
   });
 }
 
@@ -245,7 +305,10 @@ void drift_by_euler(World& world) {
   const DriftSettings settings = drift_settings(world);
   drift_points(world);
   drift_bodies(world, [&](Node& n, Motion&) { drift_euler_alone(n, world.stage.h); });
-  drift_articulates(world, [&](Articulate& articulate, int) { drift_euler(articulate, settings, articulate.report); });
+  drift_articulates(world, [&](Articulate& articulate, int) {
+    articulate.by_tree = false;
+    drift_euler(articulate, settings, articulate.report);
+  });
 }
 
 void project_articulates(World& world) {
@@ -254,7 +317,7 @@ void project_articulates(World& world) {
   double returned = 0.0;
   share_articulates(world, [&](Articulate& articulate, int) {
     articulate.report = {};
-    if (articulate.rest.asleep) return;
+    if (articulate.rest.asleep || articulate.by_tree) return;
     pantin::project_velocities(articulate, settings, articulate.report);
   });
   for (const auto& articulate : world.articulates) {
@@ -294,6 +357,7 @@ constexpr std::array<Moves, integrators.size()> moves = {{
     {Integrator::euler, drift_by_euler, leave_velocities, leave_velocities},
     {Integrator::suzuki4, drift_by_midpoint, project_articulates, settle_articulates},
     {Integrator::rk4, take_rk4_stage, leave_velocities, leave_velocities},
+    {Integrator::adaptive, drift_by_midpoint, project_articulates, settle_articulates},
 }};
 
 const Moves& moves_of(const World& world) {

@@ -91,6 +91,8 @@ void post_report(World& world, const DriftReport& report) {
   post_inside(world, Source::projection, report.projected);
   post_inside(world, Source::fallback_step, report.dissipated);
   post_inside(world, Source::unsolved, report.unsolved);
+  post_inside(world, Source::integrator, report.inexact);
+  post_inside(world, Source::energy_return, report.returned);
   world.ledger.round_off += report.round_off;
 }
 

@@ -17,7 +17,7 @@ LedgerMark ledger_mark(const World& world, bool drifted);
 void begin_ledger(World& world);
 /// What changed the kinetic energy since the mark, but for work from outside: gravity, in a kick of loose points;
 void post_kick(World& world, const LedgerMark& before, bool drifted);
-/// in a drift, what an articulate told of the symmetric projection, fallback steps and what stayed unsolved;
+/// in a drift, what an articulate told of the symmetric projection, fallback steps, what stayed unsolved and a tree's errors;
 void post_report(World& world, const DriftReport& report);
 /// gravity as far as things fell, and the integrator's own errors;
 void post_drift(World& world, const LedgerMark& before);

@@ -10,11 +10,6 @@
 
 namespace pantin {
 
-double wanted_accuracy(const World& world) {
-  const double wanted = *world.settings.accuracy;
-  return world.settings.accuracy_per_step ? wanted / world.settings.step : wanted;
-}
-
 namespace {
 
 void tell_unused(World& world) {

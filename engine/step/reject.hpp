@@ -24,9 +24,6 @@ struct StepStart {
   std::uint64_t instant = 0;
 };
 
-/// The wanted error [1/s], relative to sizes; `accuracy` must be set.
-double wanted_accuracy(const World& world);
-
 /// Keeps what a step changes before its end, where it may have to be done again.
 void keep_start(World& world);
 /// After a stage of a step: notes its error.

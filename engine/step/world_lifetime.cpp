@@ -5,6 +5,7 @@
 #include "contacts/gather.hpp"
 #include "forces/forces.hpp"
 #include "step/reject.hpp"
+#include "trees/tree.hpp"
 #include "world/world.hpp"
 
 namespace pantin {

@@ -17,7 +17,8 @@ struct World;
 /// displacing what overlaps. event: kicks, pushes on what is loose. merge: lost in becoming one body.
 /// damper: laws that depend on velocities, springs solved at the end of the step. law: parameters, connections made and
 /// removed, attributes that follow an age. sleep: what still moved that fell asleep. unsolved: forces on what Newton's
-/// iteration leaves open, within its tolerance, and what contacts gave that they should not. integrator: what "euler" and "rk4" change that no force explains.
+/// iteration leaves open, within its tolerance, and what contacts gave that they should not. integrator: what "euler" and "rk4" change that no
+/// force explains, and what the steps of trees do within their error.
 enum class Source : std::uint8_t {
   hand,
   motor,

@@ -10,7 +10,7 @@
 namespace pantin {
 
 /// How things are moved; `rule_of` in forces/integrator.hpp says what each is.
-enum class Integrator : std::uint8_t { verlet, euler, implicit, suzuki4, rk4 };
+enum class Integrator : std::uint8_t { verlet, euler, implicit, suzuki4, rk4, adaptive };
 
 struct NamedIntegrator {
   Integrator integrator;
@@ -18,9 +18,9 @@ struct NamedIntegrator {
 };
 /// Every integrator with the name that scenes give it.
 inline constexpr std::array integrators = {
-    NamedIntegrator{Integrator::verlet, "verlet"}, NamedIntegrator{Integrator::implicit, "implicit"},
+    NamedIntegrator{Integrator::verlet, "verlet"},   NamedIntegrator{Integrator::implicit, "implicit"},
     NamedIntegrator{Integrator::suzuki4, "suzuki4"}, NamedIntegrator{Integrator::rk4, "rk4"},
-    NamedIntegrator{Integrator::euler, "euler"}};
+    NamedIntegrator{Integrator::euler, "euler"},     NamedIntegrator{Integrator::adaptive, "adaptive"}};
 
 constexpr std::string_view name_of(Integrator integrator) {
   for (const NamedIntegrator& known : integrators)

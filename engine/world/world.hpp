@@ -29,6 +29,7 @@ struct Forces;
 struct StepStart;
 struct TouchSpace;
 struct Trial;
+struct TreeWork;
 class Workers;
 
 /// What can grab: the mouse, a finger, a stick, a script.
@@ -115,9 +116,10 @@ struct Stats {
   std::uint64_t fallback_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
   std::uint32_t worst_iterations = 0;
-  std::uint64_t unreached = 0;   ///< times that not even the most sub-steps gave the accuracy
-  std::uint64_t rejected = 0;    ///< times that a step was done again with more sub-steps
-  double worst_unreached = 0.0;  ///< [1/s] largest error rate told then
+  std::uint64_t unreached = 0;    ///< times that not even the most sub-steps gave the accuracy
+  std::uint64_t rejected = 0;     ///< times that a step was done again with more sub-steps
+  std::uint64_t evaluations = 0;  ///< of the rates of trees
+  double worst_unreached = 0.0;   ///< [1/s] largest error rate told then
 };
 
 /// Stages of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
@@ -220,6 +222,7 @@ struct World : WorldData {
   std::unique_ptr<TouchSpace> touch_space;               ///< the same
   std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
   std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
+  std::vector<std::unique_ptr<TreeWork>> tree_works;     ///< (threads) where trees are moved
   std::unique_ptr<StepStart> start;                      ///< of a step that may have to be done again
   std::unique_ptr<Workers> workers;                      ///< threads
   Profile profile;

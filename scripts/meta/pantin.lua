@@ -137,7 +137,7 @@ function quat_methods:inverse() end
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field fallback_step number [J] taken by fallback steps, since it is kept
----@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
+---@field integrator number [J] that the integrators euler and rk4, and the steps of trees of hinges, gave by being inexact, since it is kept
 ---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
@@ -157,6 +157,7 @@ function quat_methods:inverse() end
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number [as scene.accuracy] largest error where not even the most sub-steps gave what `scene.accuracy` wants; 0 where none was missed
 ---@field projections integer of velocities
+---@field evaluations integer of the rates of what is a tree of hinges, where scene.accuracy or "adaptive" moves it as one
 ---@field contacts integer of shapes, in the last step
 ---@field contact_islands integer of what touches, with what ties it, in the last step
 ---@field contact_iterations integer of all of them
@@ -869,9 +870,9 @@ local Snapshot = {}
 ---@field store table plain values of yours, which snapshots keep (default `{}`)
 ---@field gravity vec [m/s²] uniform acceleration (default `vec(0, -9.81, 0)`)
 ---@field step number [s] length of one step (default `1 / 240`)
----@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it. Functions of time that ties follow are then asked at each quarter of a step (default none: fixed steps)
+---@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it, and what is a tree of hinges moves as with "adaptive". Functions of time that ties follow are then asked at each quarter of a step (default none: fixed steps)
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds (default `"second"`)
----@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet") (default `"verlet"`)
+---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet"), "adaptive" ("verlet", but what is a tree of hinges and nails under gravity alone moves in its own rotations, of 8th order, to `accuracy`, or to 1e-6 where none is wanted) (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
 ---@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
 ---@field box vec? [m] edges of the periodic box, through whose sides laws reach, but not what touches (default none: open space)

@@ -20,7 +20,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::array rates = {30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
+constexpr std::array rates = {10.0, 30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
 constexpr std::array wanted = {1e-2, 1e-3, 1e-6};  // [m]
 constexpr std::array wanted_names = {"1 cm", "1 mm", "1 um"};
 constexpr const char* picture = "articulates.svg";
@@ -66,7 +66,8 @@ Place reference_place(const peers::Mechanism& mechanism) {
 std::vector<Contender> own_contenders() {
   std::vector<Contender> list = {{"Pantin", {}, {}}, {"Pantin + return", {}, {}}};
   for (const peers::Setting& setting : pantin_settings())
-    list[setting.name.ends_with("return") ? 1 : 0].settings.push_back(setting.name);
+    list[setting.name.ends_with("return") ? 1 : 0].settings.push_back((setting.chooses_steps ? "*" : "") +
+                                                                      setting.name);
   for (Contender& contender : list)
     contender.run = [](const std::string& name, const peers::Mechanism& mechanism, double rate,
                        const Eigen::Vector2d& position) {
@@ -112,7 +113,7 @@ std::vector<Tried> try_all(const Contender& contender, const peers::Mechanism& m
     const bool chooses_steps = listed.front() == '*';
     const std::string setting = listed.substr(chooses_steps ? 1 : 0);
     for (const double rate : rates) {
-      if (chooses_steps && rate != 60.0) continue;
+      if (chooses_steps && rate > 60.0) continue;
       show_progress(text(mechanism.name, ": ", contender.name, ", ", setting, ", 1/", rate, " s"));
       tried.push_back({setting, rate, contender.run(setting, mechanism, rate, position.at)});
       const peers::Trial& trial = tried.back().trial;

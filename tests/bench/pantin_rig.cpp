@@ -12,10 +12,12 @@ namespace {
 
 class PantinRig : public peers::Rig {
  public:
-  PantinRig(const peers::Mechanism& mechanism, double step, Integrator integrator, bool energy_return) {
+  PantinRig(const peers::Mechanism& mechanism, double step, Integrator integrator, bool energy_return,
+            std::optional<double> accuracy = {}) {
     world_.settings.step = step;
     world_.settings.integrator = integrator;
     world_.settings.energy_return = energy_return;
+    world_.settings.accuracy = accuracy;
     world_.settings.gravity = pantin::vec(0, -peers::gravity, 0);
     bodies_ = support::add_mechanism(world_, mechanism);
   }
@@ -42,7 +44,9 @@ std::vector<peers::Setting> pantin_settings() {
   for (const bool energy_return : {false, true})
     for (const NamedIntegrator& known : integrators) {
       // The one takes no constraints, the other is verlet where there are no connections.
-      if (known.integrator == Integrator::rk4 || known.integrator == Integrator::implicit) continue;
+      if (known.integrator == Integrator::rk4 || known.integrator == Integrator::implicit ||
+          known.integrator == Integrator::adaptive)
+        continue;
       peers::Setting setting;
       setting.name = text(known.name, energy_return ? " + return" : "");
       setting.make = [integrator = known.integrator, energy_return](const peers::Mechanism& m, double step) {
@@ -50,6 +54,15 @@ std::vector<peers::Setting> pantin_settings() {
       };
       all.push_back(setting);
     }
+  for (const double accuracy : {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    peers::Setting setting;
+    setting.name = text("adaptive ", accuracy);
+    setting.chooses_steps = true;
+    setting.make = [accuracy](const peers::Mechanism& m, double step) {
+      return std::make_unique<PantinRig>(m, step, Integrator::adaptive, false, accuracy);
+    };
+    all.push_back(setting);
+  }
   return all;
 }
 

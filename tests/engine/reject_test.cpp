@@ -71,10 +71,20 @@ TEST_CASE("accuracy: a fast wheel is seen, alone and on an axle") {
   CHECK(most_sub_steps(alone).count > 1);
   World nailed;
   const BodyId turning = add_wheel(nailed);
-  add_nail(nailed, add_point(nailed, turning, {}));
+  for (const double z : {-1.0, 1.0}) {
+    PointDef end;
+    end.at = vec(0, 0, z);
+    add_nail(nailed, add_point(nailed, turning, end));
+  }
   set_accuracy(nailed, 1e-3);
   CHECK(lag(nailed, turning) <= 1e-2);
   CHECK(most_sub_steps(nailed).count > 1);
+  World held;  // a tree, which takes steps of its own
+  const BodyId centred = add_wheel(held);
+  add_nail(held, add_point(held, centred, {}));
+  set_accuracy(held, 1e-6);
+  CHECK(lag(held, centred) <= 1e-6);
+  CHECK(held.stats.evaluations > 0);
 }
 
 TEST_CASE("accuracy: a slow body takes one step, and a fast one that slows down fewer and fewer") {

@@ -26,23 +26,39 @@ test("a fast wheel lags behind at fixed steps, and not where an accuracy is want
   expect(accurate.stats.sub_steps):equal(1)
 end)
 
+local function two_links(settings)
+  local scene = open_text(settings .. [[
+    local a = scene:body { mass = 1, inertia = vec(0.002, 0.08, 0.08), at = vec(0.5, 0, 0),
+      points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+    local b = scene:body { mass = 1, inertia = vec(0.002, 0.08, 0.08), at = vec(1.5, 0, 0), name = "end",
+      points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+    scene:nail(a.head)
+    scene:hinge(a.tail, b.head)
+  ]])
+  scene:advance(1)
+  return scene
+end
+local function place(settings) return two_links(settings):find("end").position end
+
 test("suzuki4 swings two links a thousand times closer than verlet does", function()
-  local function place(settings)
-    local scene = open_text(settings .. [[
-      local a = scene:body { mass = 1, inertia = vec(0.002, 0.08, 0.08), at = vec(0.5, 0, 0),
-        points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
-      local b = scene:body { mass = 1, inertia = vec(0.002, 0.08, 0.08), at = vec(1.5, 0, 0), name = "end",
-        points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
-      scene:nail(a.head)
-      scene:hinge(a.tail, b.head)
-    ]])
-    scene:advance(1)
-    return scene:find("end").position
-  end
   local exact = place 'scene.step, scene.integrator = 1 / 1000, "suzuki4"\n'
   local second = (place "scene.step = 1 / 120\n" - exact):length()
   local fourth = (place 'scene.step, scene.integrator = 1 / 120, "suzuki4"\n' - exact):length()
   expect(fourth):below(second / 1000)
+end)
+
+test("adaptive swings them as near at any step, by few evaluations, and keeps the energy to what is asked", function()
+  local exact = place 'scene.step, scene.integrator = 1 / 2000, "suzuki4"\n'
+  for _, step in ipairs { "1 / 10", "1 / 60", "1 / 1000" } do
+    local scene = two_links("scene.step, scene.integrator = " .. step .. ', "adaptive"\n')
+    expect((scene:find("end").position - exact):length()):below(1e-7)
+    expect(scene.error.energy):below(1e-6)
+    expect(scene.stats.evaluations):above(100)
+    expect(scene.stats.evaluations):below(600)
+  end
+  local loose = two_links 'scene.step, scene.integrator, scene.accuracy = 1 / 10, "adaptive", 1e-2\n'
+  expect((loose:find("end").position - exact):length()):below(1e-2)
+  expect(loose.stats.evaluations):below(200)
 end)
 
 local oscillator = [[

@@ -69,3 +69,13 @@ TEST_CASE("allocation: a target that is a function of time costs no memory") {
   for (int i = 0; i < 50; i++) step(world);
   CHECK(allocations_in(world, 100) == 0);
 }
+
+TEST_CASE("allocation: a warm step of trees of hinges allocates nothing") {
+  World world;
+  world.settings.integrator = Integrator::adaptive;
+  cases::add_chain(world, {.links = 20});
+  cases::add_wheel(world);
+  for (int i = 0; i < 100; i++) step(world);
+  REQUIRE(world.stats.evaluations > 0);
+  CHECK(allocations_in(world, 100) == 0);
+}

@@ -37,6 +37,13 @@ void make_held(World& world) {
   grab(world, hand, chain.tails[15], 500.0);
 }
 
+/// A wheel of chains on a nail, moved by its tree.
+void make_tree_of_hinges(World& world) {
+  world.settings.integrator = Integrator::adaptive;
+  const cases::Wheel wheel = cases::add_wheel(world, {.spokes = 5, .links = 3});
+  add_nail(world, wheel.centre);
+}
+
 /// Articulates of many sizes, spinning bodies and falling particles: enough for several threads.
 void make_crowd(World& world) {
   for (int i = 0; i < 30; i++) cases::add_chain(world, {.links = 1 + i, .start = vec(0, 0, i)});
@@ -66,6 +73,7 @@ std::vector<Case> all_cases() {
       {"double_pendulum", [](World& world) { cases::add_double_pendulum(world); }},
       {"pulled", make_pulled},
       {"held", make_held},
+      {"tree", make_tree_of_hinges},
   };
 }
 

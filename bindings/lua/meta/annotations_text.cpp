@@ -142,7 +142,7 @@ function quat_methods:inverse() end
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field fallback_step number [J] taken by fallback steps, since it is kept
----@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
+---@field integrator number [J] that the integrators euler and rk4, and the steps of trees of hinges, gave by being inexact, since it is kept
 ---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
@@ -162,6 +162,7 @@ function quat_methods:inverse() end
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number [as scene.accuracy] largest error where not even the most sub-steps gave what `scene.accuracy` wants; 0 where none was missed
 ---@field projections integer of velocities
+---@field evaluations integer of the rates of what is a tree of hinges, where scene.accuracy or "adaptive" moves it as one
 ---@field contacts integer of shapes, in the last step
 ---@field contact_islands integer of what touches, with what ties it, in the last step
 ---@field contact_iterations integer of all of them

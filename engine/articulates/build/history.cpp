@@ -62,6 +62,8 @@ void History::inherit(Articulate& to) const {
     inherit_predictor(from.predictor, to.predictor, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
     to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
+    to.course.next = std::max(to.course.next, from.course.next);
+    to.calm = std::max(to.calm, from.calm);
     to.weak = to.weak || from.weak;
     to.fell_back = to.fell_back || from.fell_back;
     to.edited = to.edited || from.edited || from.offsets;

@@ -47,6 +47,10 @@ void store(const Node& n, Model& model) {
 
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
+  load_conditions(a, model);
+}
+
+void load_conditions(Articulate& a, const Model& model) {
   for (Condition& c : a.conditions)
     if (!c.stiff) load(c, row(a, c), model, a.total_mass);
 }

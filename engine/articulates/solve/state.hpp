@@ -7,6 +7,8 @@ namespace pantin {
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and torques; and the anchors
 /// and limits of the rows from their constraints. In a plane all is taken to height 0, so that no row sees the normal.
 void load(Articulate& articulate, const Model& model, Vec3 gravity);
+/// Anchors and limits alone.
+void load_conditions(Articulate& articulate, const Model& model);
 /// Copies the state of one thing into a node.
 void load(Node& node, const Model& model, Vec3 gravity);
 /// After an edit of velocities: the unknowns have no history, and the velocities are to be made consistent.

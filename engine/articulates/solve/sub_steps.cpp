@@ -38,11 +38,6 @@ double turn_between(const Mat3& a, const Mat3& b) {
   return std::sqrt(0.5 * (norm2(a[0] - b[0]) + norm2(a[1] - b[1]) + norm2(a[2] - b[2])));
 }
 
-/// [m] from the centre of points that show how a node turns.
-double extent(const Node& n) {
-  return n.turns ? std::max(n.reach, std::sqrt(largest(n.inertia) * n.inverse_mass)) : 0.0;
-}
-
 /// Largest distance of a point of the body between its two ends [m].
 double distance(const Node& a, const Node& b) {
   const double moved = norm(a.x0 - b.x0);

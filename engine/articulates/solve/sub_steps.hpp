@@ -3,6 +3,9 @@
 // many; of the order p, the first ones are wrong by 2^p/(2^p - 1) of the difference (Richardson 1911). That is done now and
 // then, and wherever the motion changes more suddenly than the last trials bear: a midpoint step of h is wrong by h³/12
 // times a jerk or so.
+#include <algorithm>
+#include <cmath>
+
 #include "articulates/articulate.hpp"
 
 namespace pantin {
@@ -14,6 +17,11 @@ struct SubStepSettings {
   bool may_try = true;    ///< this is the first stage of a step
   double span = 0.0;      ///< [s] between like stages, to difference mean motions; 0: this stage looks for no jerk
 };
+
+/// [m] from the centre of points that show how a node turns.
+inline double extent(const Node& n) {
+  return n.turns ? std::max(n.reach, std::sqrt(largest(n.inertia) * n.inverse_mass)) : 0.0;
+}
 
 /// Where trials happen.
 struct Trial {

@@ -1,0 +1,557 @@
+#include "trees/tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <numeric>
+
+namespace pantin {
+
+namespace {
+
+struct Neighbour {
+  std::int32_t vertex;  // a node, or the world, which comes after all nodes
+  std::uint32_t hinge;
+};
+
+/// Who is beside each vertex, one after the other.
+struct Graph {
+  std::vector<std::uint32_t> first;  // (vertices + 1)
+  std::vector<Neighbour> all;
+
+  std::size_t size() const { return first.size() - 1; }
+  std::span<const Neighbour> operator[](std::size_t v) const {
+    return {all.data() + first[v], all.data() + first[v + 1]};
+  }
+};
+
+Graph graph_of(std::size_t nodes, std::span<const TreeHinge> hinges, bool anchored) {
+  Graph graph;
+  graph.first.assign(nodes + (anchored ? 2 : 1), 0);
+  const auto vertices = [&](const TreeHinge& h) {
+    return std::array{static_cast<std::size_t>(h.a), h.b >= 0 ? static_cast<std::size_t>(h.b) : nodes};
+  };
+  for (const TreeHinge& h : hinges)
+    for (const std::size_t v : vertices(h)) graph.first[v + 1]++;
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  std::vector<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
+  graph.all.resize(2 * hinges.size());
+  for (std::uint32_t k = 0; k < hinges.size(); k++) {
+    const auto [a, b] = vertices(hinges[k]);
+    graph.all[next[a]++] = {static_cast<std::int32_t>(b), k};
+    graph.all[next[b]++] = {static_cast<std::int32_t>(a), k};
+  }
+  return graph;
+}
+
+/// Breadth first from a vertex, or from the two of a hinge: who comes in which order, and from whom.
+struct Walk {
+  std::vector<std::int32_t> order, from;
+};
+
+Walk walk(const Graph& graph, std::span<const std::int32_t> starts) {
+  Walk w;
+  w.from.assign(graph.size(), -1);
+  w.order.reserve(graph.size());
+  std::vector<char> seen(graph.size(), 0);
+  for (std::int32_t start : starts) {
+    w.order.push_back(start);
+    seen[static_cast<std::size_t>(start)] = 1;
+  }
+  for (std::size_t i = 0; i < w.order.size(); i++)
+    for (const Neighbour& next : graph[static_cast<std::size_t>(w.order[i])]) {
+      char& mark = seen[static_cast<std::size_t>(next.vertex)];
+      if (mark) continue;
+      mark = 1;
+      w.from[static_cast<std::size_t>(next.vertex)] = w.order[i];
+      w.order.push_back(next.vertex);
+    }
+  return w;
+}
+
+/// The two vertices of the hinge in the middle of a longest path.
+std::array<std::int32_t, 2> middle_of(const Graph& graph) {
+  const std::int32_t any = 0;
+  const std::int32_t end = walk(graph, {&any, 1}).order.back();
+  const Walk back = walk(graph, {&end, 1});
+  std::vector<std::int32_t> path;
+  for (std::int32_t v = back.order.back(); v >= 0; v = back.from[static_cast<std::size_t>(v)]) path.push_back(v);
+  const std::size_t middle = (path.size() - 1) / 2;
+  return {path[middle], path[middle + 1]};
+}
+
+/// How many hinges are outside of each vertex, on the longest way.
+std::vector<int> heights(const Walk& inwards) {
+  std::vector<int> height(inwards.from.size(), 0);
+  for (std::size_t i = inwards.order.size(); i-- > 0;) {
+    const auto v = static_cast<std::size_t>(inwards.order[i]);
+    if (inwards.from[v] < 0) continue;
+    int& h = height[static_cast<std::size_t>(inwards.from[v])];
+    h = std::max(h, height[v] + 1);
+  }
+  return height;
+}
+
+Vec3 arm_at(const TreeHinge& hinge, std::int32_t node) { return hinge.a == node ? hinge.la : hinge.lb; }
+
+void set_constants(Tree& tree, std::span<const TreeNode> nodes) {
+  tree.batches.assign((tree.pairs.size() + 1) / 2,
+                      {zero3x4(), zero3x4(), zero3x4(), zero3x4(), lanes(1.0), lanes(0.0), lanes(0.0)});
+  tree.masses.reserve(nodes.size());
+  tree.extents.reserve(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); i++) {
+    Tree::Batch& b = tree.batches[tree.slots[i] / batch_size];
+    const std::size_t lane = tree.slots[i] % batch_size;
+    const Vec3 I = nodes[i].inertia;
+    set_lane(b.inverse_inertia, lane, nodes[i].inverse_inertia);
+    set_lane(b.gyration, lane, vec(I[1] - I[2], I[2] - I[0], I[0] - I[1]));
+    b.inverse_mass[lane] = 1.0 / nodes[i].mass;
+    tree.masses.push_back(nodes[i].mass);
+    tree.extents.push_back(nodes[i].extent);
+    tree.mass += nodes[i].mass;
+  }
+}
+
+/// A graph's vertices as they are eliminated.
+struct Elimination {
+  Graph graph;
+  std::array<std::int32_t, 2> middle;
+  std::vector<std::int32_t> inward;  // (vertices)
+  std::vector<int> height;           // (vertices)
+
+  std::size_t outer(std::int32_t v) const { return graph[static_cast<std::size_t>(v)].size() - 1; }
+  Tree::Kind kind(std::int32_t v) const {
+    return outer(v) == 0 ? Tree::Kind::leaf : outer(v) == 1 ? Tree::Kind::link : Tree::Kind::branch;
+  }
+};
+
+Elimination find_elimination(std::size_t nodes, std::span<const TreeHinge> hinges, bool anchored) {
+  Elimination e;
+  e.graph = graph_of(nodes, hinges, anchored);
+  e.middle = middle_of(e.graph);
+  const Walk inwards = walk(e.graph, e.middle);
+  e.height = heights(inwards);
+  e.inward = inwards.from;
+  e.inward[static_cast<std::size_t>(e.middle[0])] = e.middle[1];
+  e.inward[static_cast<std::size_t>(e.middle[1])] = e.middle[0];
+  return e;
+}
+
+/// Nodes of the same height and kind are pairs.
+void set_pairs(Tree& tree, const Elimination& e) {
+  std::vector<std::int32_t> order(tree.nodes);
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::int32_t v) { return std::pair{e.height[static_cast<std::size_t>(v)], e.kind(v)}; };
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  tree.slots.assign(e.graph.size(), 0);
+  tree.pairs.reserve(order.size());
+  for (std::size_t i = 0; i < order.size(); i++) {
+    const bool second =
+        i > 0 && tree.slots[static_cast<std::size_t>(order[i - 1])] % 2 == 0 && key(order[i - 1]) == key(order[i]);
+    if (!second) {
+      tree.pairs.emplace_back();
+      tree.pairs.back().kind = e.kind(order[i]);
+    }
+    tree.slots[static_cast<std::size_t>(order[i])] =
+        static_cast<std::uint32_t>(2 * tree.pairs.size() - (second ? 1 : 2));
+  }
+  tree.rigid = static_cast<std::uint32_t>(2 * tree.pairs.size());
+  if (tree.anchored) tree.slots.back() = tree.rigid;
+  for (Tree::Pair& p : tree.pairs)  // an empty slot has the world on it, or is no branch
+    p.outer[0] = p.outer[1] = p.kind == Tree::Kind::branch ? Tree::none : tree.rigid;
+}
+
+/// Arms of a node: `in` to where it leads inwards, `out` to all others.
+void set_arms(Tree& tree, const Elimination& e, std::span<const TreeNode> nodes, std::span<const TreeHinge> hinges,
+              std::int32_t node) {
+  const auto n = static_cast<std::size_t>(node);
+  const std::uint32_t slot = tree.slots[n];
+  Tree::Pair& pair = tree.pairs[slot / 2];
+  Tree::Batch& batch = tree.batches[slot / batch_size];
+  const std::size_t lane = slot % batch_size;
+  if (pair.kind == Tree::Kind::branch) {
+    pair.outer[slot % 2] = static_cast<std::uint32_t>(tree.branches.size());
+    const auto first = static_cast<std::uint32_t>(tree.arms.size());
+    tree.branches.push_back({slot, first, first + static_cast<std::uint32_t>(e.outer(node))});
+  }
+  for (const Neighbour& next : e.graph[n]) {
+    const Vec3 l = arm_at(hinges[next.hinge], node);
+    const std::uint32_t other = tree.slots[static_cast<std::size_t>(next.vertex)];
+    if (next.vertex == e.inward[n]) {
+      set_lane(batch.in, lane, l);
+      batch.sway_in[lane] = sway(nodes[n], l);
+    } else if (pair.kind == Tree::Kind::link) {
+      pair.outer[slot % 2] = other;
+      set_lane(batch.out, lane, l);
+      batch.sway_out[lane] = sway(nodes[n], l);
+    } else {
+      tree.arms.push_back({other, l, sway(nodes[n], l)});
+    }
+  }
+}
+
+void set_steps(Tree& tree, const Graph& graph, std::span<const TreeHinge> hinges) {
+  const auto world = static_cast<std::int32_t>(tree.nodes), start = tree.anchored ? world : 0;
+  const Walk w = walk(graph, {&start, 1});
+  tree.steps.reserve(graph.size());
+  for (std::int32_t to : w.order) {
+    const std::int32_t from = w.from[static_cast<std::size_t>(to)];
+    if (from < 0) continue;
+    for (const Neighbour& next : graph[static_cast<std::size_t>(to)]) {
+      if (next.vertex != from) continue;
+      const TreeHinge& hinge = hinges[next.hinge];
+      const bool from_world = from == world;
+      tree.steps.push_back({from_world ? -1 : from, to, tree.slots[static_cast<std::size_t>(from)],
+                            tree.slots[static_cast<std::size_t>(to)], next.hinge,
+                            from_world ? zero3() : arm_at(hinge, from), arm_at(hinge, to)});
+    }
+  }
+}
+
+}  // namespace
+
+Tree make_tree(std::span<const TreeNode> nodes, std::span<const TreeHinge> hinges) {
+  Tree tree;
+  tree.nodes = static_cast<std::uint32_t>(nodes.size());
+  tree.anchored = std::any_of(hinges.begin(), hinges.end(), [](const TreeHinge& h) { return h.b < 0; });
+  const Elimination e = find_elimination(nodes.size(), hinges, tree.anchored);
+  set_pairs(tree, e);
+  set_constants(tree, nodes);
+  for (std::int32_t node = 0; node < static_cast<std::int32_t>(nodes.size()); node++)
+    set_arms(tree, e, nodes, hinges, node);
+  for (Tree::Pair& p : tree.pairs) p.alike = p.outer[0] % 2 == 0 && p.outer[1] == p.outer[0] + 1;
+  for (const std::size_t k : {0u, 1u}) tree.middle[k] = tree.slots[static_cast<std::size_t>(e.middle[k])];
+  set_steps(tree, e.graph, hinges);
+  return tree;
+}
+
+namespace {
+
+using Symmetric4 = TreeWork::Symmetric4;
+using Two = TreeWork::Two;
+using Outside = TreeWork::Outside;
+using Joint = TreeWork::Joint;
+
+/// K = 1/m - r^ W r^
+[[gnu::always_inline]] inline Symmetric4 yielding(const Symmetric4& W, const Vec3x4& r, Lanes inverse_mass) {
+  const Vec3x4 a0 = cross({W.xx, W.xy, W.xz}, r), a1 = cross({W.xy, W.yy, W.yz}, r), a2 = cross({W.xz, W.yz, W.zz}, r);
+  return {inverse_mass - (r.y * a2.x - r.z * a1.x), r.z * a1.y - r.y * a2.y, r.z * a1.z - r.y * a2.z,
+          inverse_mass - (r.z * a0.y - r.x * a2.y), r.x * a2.z - r.z * a0.z, inverse_mass - (r.x * a1.z - r.y * a0.z)};
+}
+
+/// K = 1/m - r^ W s^, by rows
+[[gnu::always_inline]] inline void yielding_across(const Symmetric4& W, const Vec3x4& r, const Vec3x4& s,
+                                                   Lanes inverse_mass, Lanes* k) {
+  const Vec3x4 a0 = cross({W.xx, W.xy, W.xz}, s), a1 = cross({W.xy, W.yy, W.yz}, s), a2 = cross({W.xz, W.yz, W.zz}, s);
+  k[0] = inverse_mass - (r.y * a2.x - r.z * a1.x);
+  k[1] = r.z * a1.y - r.y * a2.y;
+  k[2] = r.z * a1.z - r.y * a2.z;
+  k[3] = r.x * a2.x - r.z * a0.x;
+  k[4] = inverse_mass - (r.z * a0.y - r.x * a2.y);
+  k[5] = r.x * a2.z - r.z * a0.z;
+  k[6] = r.y * a0.x - r.x * a1.x;
+  k[7] = r.y * a0.y - r.x * a1.y;
+  k[8] = inverse_mass - (r.x * a1.z - r.y * a0.z);
+}
+
+[[gnu::always_inline]] inline Vec3x4 times(const Symmetric4& s, const Vec3x4& v) {
+  return {s.xx * v.x + s.xy * v.y + s.xz * v.z, s.xy * v.x + s.yy * v.y + s.yz * v.z,
+          s.xz * v.x + s.yz * v.y + s.zz * v.z};
+}
+
+/// R of orientations that are not of unit length.
+[[gnu::always_inline]] inline Mat3x4 rotation(const Quatx4& q) {
+  const Lanes s = 2.0 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  const Lanes x = q.x * s, y = q.y * s, z = q.z * s;
+  const Lanes xx = q.x * x, yy = q.y * y, zz = q.z * z, xy = q.x * y, xz = q.x * z, yz = q.y * z, wx = q.w * x,
+              wy = q.w * y, wz = q.w * z;
+  return {
+      {{1.0 - (yy + zz), xy + wz, xz - wy}, {xy - wz, 1.0 - (xx + zz), yz + wx}, {xz + wy, yz - wx, 1.0 - (xx + yy)}}};
+}
+
+/// What four nodes do without hinges, and how their hinges' points yield.
+void begin(const Tree::Batch& c, const Vec3x4& gravity, const Turning4& y, Turning4& rate, TreeWork::Batch& n) {
+  const Mat3x4 R = rotation(y.q);
+  const Vec3x4 &w = y.w, J = c.inverse_inertia;
+  const Vec3x4 u = R[0] * J.x, v = R[1] * J.y, t = R[2] * J.z;
+  const Symmetric4 W = {u.x * R[0].x + v.x * R[1].x + t.x * R[2].x, u.x * R[0].y + v.x * R[1].y + t.x * R[2].y,
+                        u.x * R[0].z + v.x * R[1].z + t.x * R[2].z, u.y * R[0].y + v.y * R[1].y + t.y * R[2].y,
+                        u.y * R[0].z + v.y * R[1].z + t.y * R[2].z, u.z * R[0].z + v.z * R[1].z + t.z * R[2].z};
+  const Vec3x4 O = transposed_times(R, w);
+  const Vec3x4 angular =
+      u * (c.gyration.x * O.y * O.z) + v * (c.gyration.y * O.z * O.x) + t * (c.gyration.z * O.x * O.y);
+  const Vec3x4 r_in = R * c.in, r_out = R * c.out;
+  // α x r + ω x (ω x r) as a matrix
+  const Lanes xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z, xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;
+  const Mat3x4 turning = {{{-(yy + zz), xy + angular.z, zx - angular.y},
+                           {xy - angular.z, -(zz + xx), yz + angular.x},
+                           {zx + angular.y, yz - angular.x, -(xx + yy)}}};
+  n.a_in = gravity + turning * r_in;
+  n.a_out = gravity + turning * r_out;
+  n.R = R;
+  n.r_in = r_in;
+  n.r_out = r_out;
+  n.angular = angular;
+  n.W = W;
+  n.K_in = yielding(W, r_in, c.inverse_mass);
+  n.K_out = yielding(W, r_out, c.inverse_mass);
+  yielding_across(W, r_out, r_in, c.inverse_mass, n.K_cross);
+  const Quatx4& q = y.q;
+  rate.q = {(w.x * q.x + w.y * q.y + w.z * q.z) * -0.5, (w.x * q.w + w.y * q.z - w.z * q.y) * 0.5,
+            (w.y * q.w + w.z * q.x - w.x * q.z) * 0.5, (w.z * q.w + w.x * q.y - w.y * q.x) * 0.5};
+}
+
+/// A pair's half of four lanes.
+Two half(const Lanes& of, std::size_t pair) {
+  Two two;
+  std::memcpy(&two, reinterpret_cast<const char*>(&of) + sizeof(Two) * (pair % 2), sizeof(Two));
+  return two;
+}
+void set_half(Lanes& of, std::size_t pair, Two two) {
+  std::memcpy(reinterpret_cast<char*>(&of) + sizeof(Two) * (pair % 2), &two, sizeof(Two));
+}
+
+using Vector2 = TreeWork::Vector2;
+Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector2 operator*(const Vector2& a, Two s) { return {a.x * s, a.y * s, a.z * s}; }
+Vector2 half(const Vec3x4& v, std::size_t pair) { return {half(v.x, pair), half(v.y, pair), half(v.z, pair)}; }
+Two inner(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// Symmetric: xx, xy, xz, yy, yz, zz.
+Vector2 times(const Two* s, const Vector2& v) {
+  return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
+          s[2] * v.x + s[4] * v.y + s[5] * v.z};
+}
+
+/// What is outside of the outer hinges of a pair of links.
+Outside outside_of(const TreeWork& work, const Tree::Pair& pair) {
+  const Outside &first = work.outside[pair.outer[0] / 2], &second = work.outside[pair.outer[1] / 2];
+  if (pair.alike) return first;
+  const std::size_t a = pair.outer[0] % 2, b = pair.outer[1] % 2;
+  Outside o;
+  for (std::size_t k = 0; k < 6; k++) o.C[k] = Two{first.C[k][a], second.C[k][b]};
+  for (std::size_t k = 0; k < 3; k++) o.beta[k] = Two{first.beta[k][a], second.beta[k][b]};
+  return o;
+}
+
+/// Ends the outer hinges of a pair of links, and tells what is outside of their inner ones.
+void end_links(const TreeWork::Batch& n, std::size_t p, const Outside& outer, Joint& j, Outside& o) {
+  const Two xx = half(n.K_out.xx, p) + outer.C[0], xy = half(n.K_out.xy, p) + outer.C[1],
+            xz = half(n.K_out.xz, p) + outer.C[2], yy = half(n.K_out.yy, p) + outer.C[3],
+            yz = half(n.K_out.yz, p) + outer.C[4], zz = half(n.K_out.zz, p) + outer.C[5];
+  // The inverse is that of cofactors times d, which comes late: what waits for it is as little as can be.
+  const Two cofactors[6] = {yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
+                            xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+  const Two d = 1.0 / (xx * cofactors[0] + xy * cofactors[1] + xz * cofactors[2]);
+  const Vector2 a = half(n.a_out, p), rho = {a.x - outer.beta[0], a.y - outer.beta[1], a.z - outer.beta[2]};
+  const Lanes* B = n.K_cross;
+  const Vector2 b0{half(B[0], p), half(B[3], p), half(B[6], p)}, b1{half(B[1], p), half(B[4], p), half(B[7], p)},
+      b2{half(B[2], p), half(B[5], p), half(B[8], p)};
+  const Vector2 c0 = times(cofactors, b0), c1 = times(cofactors, b1), c2 = times(cofactors, b2),
+                s = times(cofactors, rho);
+  o.C[0] = half(n.K_in.xx, p) - inner(b0, c0) * d;
+  o.C[1] = half(n.K_in.xy, p) - inner(b0, c1) * d;
+  o.C[2] = half(n.K_in.xz, p) - inner(b0, c2) * d;
+  o.C[3] = half(n.K_in.yy, p) - inner(b1, c1) * d;
+  o.C[4] = half(n.K_in.yz, p) - inner(b1, c2) * d;
+  o.C[5] = half(n.K_in.zz, p) - inner(b2, c2) * d;
+  o.beta[0] = half(n.a_in.x, p) - inner(b0, s) * d;
+  o.beta[1] = half(n.a_in.y, p) - inner(b1, s) * d;
+  o.beta[2] = half(n.a_in.z, p) - inner(b2, s) * d;
+  j = {c0 * d, c1 * d, c2 * d, s * d};
+}
+
+void end_leaves(const TreeWork::Batch& n, std::size_t p, Outside& o) {
+  const Symmetric4& K = n.K_in;
+  const Lanes* all[6] = {&K.xx, &K.xy, &K.xz, &K.yy, &K.yz, &K.zz};
+  for (std::size_t k = 0; k < 6; k++) o.C[k] = half(*all[k], p);
+  const Vector2 a = half(n.a_in, p);
+  o.beta[0] = a.x;
+  o.beta[1] = a.y;
+  o.beta[2] = a.z;
+}
+
+Mat3 matrix(const Two* C, std::size_t lane) {
+  return {{vec(C[0][lane], C[1][lane], C[2][lane]), vec(C[1][lane], C[3][lane], C[4][lane]),
+           vec(C[2][lane], C[4][lane], C[5][lane])}};
+}
+Vec3 vector(const Two* v, std::size_t lane) { return vec(v[0][lane], v[1][lane], v[2][lane]); }
+Mat3 at(const Symmetric4& s, std::size_t lane) {
+  return {{vec(s.xx[lane], s.xy[lane], s.xz[lane]), vec(s.xy[lane], s.yy[lane], s.yz[lane]),
+           vec(s.xz[lane], s.yz[lane], s.zz[lane])}};
+}
+Mat3 at(const Mat3x4& m, std::size_t lane) { return {{lane_of(m[0], lane), lane_of(m[1], lane), lane_of(m[2], lane)}}; }
+/// a b^
+Mat3 times_hat(const Mat3& a, Vec3 b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+/// a^ b
+Mat3 hat_times(Vec3 a, const Mat3& b) { return {{cross(a, b[0]), cross(a, b[1]), cross(a, b[2])}}; }
+
+/// By how much a force and a torque at the centre of a node move it and turn it, and what it does without any.
+struct Mobility {
+  Mat3 moves, couples, turns;  // a = moves f + couples τ, α = couples' f + turns τ
+  Vec3 linear, angular;        // [m/s²], [rad/s²]
+};
+
+/// A branch with all that hangs on it.
+void end_branch(const Tree& tree, TreeWork& work, const Tree::Branch& branch, Vec3 gravity, Vec3 w) {
+  const TreeWork::Batch& n = work.batches[branch.slot / batch_size];
+  const std::size_t lane = branch.slot % batch_size;
+  const Mat3 R = at(n.R, lane);
+  Mobility m{identity33() * tree.batches[branch.slot / batch_size].inverse_mass[lane], zero33(), at(n.W, lane), gravity,
+             lane_of(n.angular, lane)};
+  for (std::uint32_t k = branch.first; k < branch.last; k++) {
+    const Outside& o = work.outside[tree.arms[k].outer / 2];
+    const std::size_t side = tree.arms[k].outer % 2;
+    TreeWork::Arm& arm = work.arms[k];
+    const Vec3 r = R * tree.arms[k].l;
+    arm.r = r;
+    arm.U_force = m.moves + times_hat(m.couples, r);
+    arm.U_torque = transpose(m.couples) + times_hat(m.turns, r);
+    arm.D = inverse(arm.U_force - hat_times(r, arm.U_torque) + matrix(o.C, side));
+    arm.rho = m.linear + cross(m.angular, r) + w * dot(w, r) - r * norm2(w) - vector(o.beta, side);
+    const Mat3 force = arm.U_force * arm.D, torque = arm.U_torque * arm.D;
+    m.linear -= force * arm.rho;
+    m.angular -= torque * arm.rho;
+    m.moves -= times_transposed(force, arm.U_force);
+    m.couples -= times_transposed(force, arm.U_torque);
+    m.turns -= times_transposed(torque, arm.U_torque);
+  }
+  const Vec3 r = lane_of(n.r_in, lane);
+  const Mat3 K = m.moves + times_hat(m.couples, r) - hat_times(r, transpose(m.couples) + times_hat(m.turns, r));
+  const Vec3 a = m.linear + cross(m.angular, r) + w * dot(w, r) - r * norm2(w);
+  Outside& o = work.outside[branch.slot / 2];
+  const std::size_t side = branch.slot % 2;
+  const double C[6] = {K[0][0], K[1][0], K[2][0], K[1][1], K[2][1], K[2][2]};
+  for (std::size_t k = 0; k < 6; k++) o.C[k][side] = C[k];
+  for (int k = 0; k < 3; k++) o.beta[k][side] = a[k];
+}
+
+/// Tells a node the force at its inner hinge.
+void pass(TreeWork& work, const Tree& tree, std::uint32_t slot, Vec3 f) {
+  if (slot != tree.rigid) set_lane(work.batches[slot / batch_size].f_in, slot % batch_size, f);
+}
+
+/// Forces at the outer hinges of a branch, once that at its inner one is known.
+void pass_branch(const Tree& tree, TreeWork& work, const Tree::Branch& branch) {
+  TreeWork::Batch& n = work.batches[branch.slot / batch_size];
+  const std::size_t lane = branch.slot % batch_size;
+  const Vec3 f_in = lane_of(n.f_in, lane);
+  Vec3 force = f_in, torque = cross(lane_of(n.r_in, lane), f_in), outer = zero3();
+  for (std::uint32_t k = branch.last; k-- > branch.first;) {
+    TreeWork::Arm& arm = work.arms[k];
+    arm.f = arm.D * (arm.rho + transposed_times(arm.U_force, force) + transposed_times(arm.U_torque, torque));
+    const Vec3 turning = cross(arm.r, arm.f);
+    force -= arm.f;
+    torque -= turning;
+    outer -= turning;
+    pass(work, tree, tree.arms[k].outer, arm.f);
+  }
+  set_lane(n.torque, lane, outer);
+}
+
+void eliminate(const Tree& tree, TreeWork& work, Vec3 gravity, const Turning4* state) {
+  for (std::size_t p = 0; p < tree.pairs.size(); p++) {
+    const Tree::Pair& pair = tree.pairs[p];
+    const TreeWork::Batch& n = work.batches[p / 2];
+    if (pair.kind == Tree::Kind::link) {
+      end_links(n, p, outside_of(work, pair), work.joints[p], work.outside[p]);
+    } else if (pair.kind == Tree::Kind::leaf) {
+      end_leaves(n, p, work.outside[p]);
+    } else {
+      for (const std::uint32_t branch : pair.outer)
+        if (branch != Tree::none)
+          end_branch(tree, work, tree.branches[branch], gravity,
+                     lane_of(state[p / 2].w, tree.branches[branch].slot % batch_size));
+    }
+  }
+}
+
+/// Forces at the outer hinges of a pair of links.
+void pass_links(const Tree& tree, TreeWork& work, std::size_t p) {
+  const Tree::Pair& pair = tree.pairs[p];
+  TreeWork::Batch& n = work.batches[p / 2];
+  const Joint& j = work.joints[p];
+  const Vector2 f = half(n.f_in, p);
+  const Vector2 out = j.alone + j.by_x * f.x + j.by_y * f.y + j.by_z * f.z;
+  const auto put = [&](Vec3x4& v, std::size_t q) {
+    set_half(v.x, q, out.x);
+    set_half(v.y, q, out.y);
+    set_half(v.z, q, out.z);
+  };
+  put(n.f_out, p);
+  if (pair.alike && pair.outer[0] != tree.rigid)
+    return put(work.batches[pair.outer[0] / batch_size].f_in, pair.outer[0] / 2);
+  for (std::size_t k = 0; k < 2; k++) pass(work, tree, pair.outer[k], vec(out.x[k], out.y[k], out.z[k]));
+}
+
+/// The force at the hinge in the middle, on the first of its nodes; then outwards.
+void pass_forces(const Tree& tree, TreeWork& work) {
+  const std::uint32_t first = tree.middle[0], second = tree.middle[1];
+  const Outside &p = work.outside[first / 2], &q = work.outside[second / 2];
+  const Vec3 f = inverse(matrix(p.C, first % 2) + matrix(q.C, second % 2)) *
+                 (vector(q.beta, second % 2) - vector(p.beta, first % 2));
+  pass(work, tree, first, f);
+  pass(work, tree, second, f * -1.0);
+  for (std::size_t i = tree.pairs.size(); i-- > 0;) {
+    const Tree::Pair& pair = tree.pairs[i];
+    if (pair.kind == Tree::Kind::link) pass_links(tree, work, i);
+    if (pair.kind != Tree::Kind::branch) continue;
+    for (const std::uint32_t branch : pair.outer)
+      if (branch != Tree::none) pass_branch(tree, work, tree.branches[branch]);
+  }
+}
+
+}  // namespace
+
+void make_room(const Tree& tree, TreeWork& work) {
+  const std::size_t count = tree.batches.size();
+  work.batches.resize(count);
+  for (TreeWork::Batch& b : work.batches) b.f_in = b.f_out = b.torque = zero3x4();
+  work.outside.assign(tree.pairs.size() + 1, Outside{});
+  work.joints.resize(tree.pairs.size());
+  work.arms.resize(tree.arms.size());
+  work.stage.resize(count);
+  work.end.resize(count);
+}
+
+void find_rates(const Tree& tree, TreeWork& work, Vec3 gravity, const Turning4* state, Turning4* rates) {
+  const Vec3x4 g = pack(gravity, gravity, gravity, gravity);
+  const std::size_t count = tree.batches.size();
+  for (std::size_t b = 0; b < count; b++) begin(tree.batches[b], g, state[b], rates[b], work.batches[b]);
+  eliminate(tree, work, gravity, state);
+  pass_forces(tree, work);
+  for (std::size_t b = 0; b < count; b++) {
+    const TreeWork::Batch& n = work.batches[b];
+    rates[b].w = n.angular + times(n.W, cross(n.r_in, n.f_in) - cross(n.r_out, n.f_out) + n.torque);
+  }
+}
+
+double largest_own_rate2(const Tree& tree, const TreeWork& work) {
+  Lanes most = lanes(0.0);
+  for (std::size_t b = 0; b < tree.batches.size(); b++) {
+    const TreeWork::Batch& n = work.batches[b];
+    most = larger(most, square_root(norm2(n.f_in)) * tree.batches[b].sway_in +
+                            square_root(norm2(n.f_out)) * tree.batches[b].sway_out);
+  }
+  double rate2 = largest_lane(most);
+  for (const Tree::Branch& branch : tree.branches) {
+    const std::size_t b = branch.slot / batch_size, lane = branch.slot % batch_size;
+    double sum = norm(lane_of(work.batches[b].f_in, lane)) * tree.batches[b].sway_in[lane];
+    for (std::uint32_t k = branch.first; k < branch.last; k++) sum += norm(work.arms[k].f) * tree.arms[k].sway;
+    rate2 = std::max(rate2, sum);
+  }
+  return rate2;
+}
+
+// Of the axis about which it does most.
+double sway(const TreeNode& node, Vec3 l) {
+  double most = 0.0;
+  for (int k = 0; k < 3; k++) {
+    const double y = l[(k + 1) % 3], z = l[(k + 2) % 3];
+    most = std::max(most, std::sqrt(y * y + z * z) * node.inverse_inertia[k]);
+  }
+  return most;
+}
+
+}  // namespace pantin
