@@ -71,7 +71,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.ranged = has_range(c) && !is_drawn_in(c);
   condition.held_before = condition.held;
   if (!c.coupled().empty()) return load_coupling(condition, row, model, c);
-  condition.driven = moves(c.position) || moves(c.number) || moves(c.turn);
+  condition.driven = c.moves > 0 && (moves(c.position) || moves(c.number) || moves(c.turn));
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.position.previous + c.attract.previous_away);
   condition.whole1 = model.plane.along(c.position.now + c.attract.away);

@@ -315,8 +315,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   bool reuse = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, reuse);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
-  constexpr double smooth =
-      1e-2;  // part of the speed: what jumps by more is taken out exactly, and has no half that is carried
+  constexpr double smooth = 1e-2;  // part of the speed: a jump by more is taken out exactly, and no half of it carried
   const bool jumps = work_at_means(a) > smooth * speed;
   if (jumps && std::exchange(reuse, false)) find_velocities(a, From::nodes);
   const double outside = report.outside();
