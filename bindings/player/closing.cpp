@@ -40,7 +40,8 @@ std::optional<std::string> deep_overlap(const World& world) {
   std::snprintf(how, sizeof how, "shapes overlapped by up to %.3g m, %.3g %% of the thinner: ", deepest.depth,
                 100.0 * deepest.part);
   std::snprintf(when, sizeof when, ", at %.4g s", deepest.time);
-  return how + describe(world, deepest.pair.a) + " and " + describe(world, deepest.pair.b) + when;
+  const auto name = [&](const AnyId& id) { return alive(world, id) ? describe(world, id) : "one that is gone"; };
+  return how + name(deepest.pair.a) + " and " + name(deepest.pair.b) + when;
 }
 
 std::optional<std::string> loosely_solved(const World& world) {
