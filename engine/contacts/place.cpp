@@ -13,17 +13,16 @@ namespace {
 
 constexpr double soft_overlap = 1e-8;  // of the size: what the largest load of an island makes
 
-/// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by these impulses: work at
-/// contacts is change of the energy, not of the kinetic one alone.
-double work_beside_kicks(const Model& model, const TouchIsland& island, const std::vector<BodyLoad>& impulses,
+/// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by what was given since the
+/// island's states: work at contacts is change of the energy, not of the kinetic one alone.
+double work_beside_kicks(const Model& model, const Articulates& articulates, const TouchIsland& island,
                          const TouchSettings& settings, std::span<const BodyLoad> kicks) {
   if (kicks.empty()) return 0.0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < impulses.size(); i++) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
     const BodyLoad& kick = kicks[number_of(model, island.things[i])];
-    const IslandBody& b = island.problem.bodies[i];
-    sum +=
-        dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.inverse_inertia * impulses[i].moment);
+    const BodyState before = island.states[i], now = state_of(model, articulates, island.things[i], settings.drifted);
+    sum += dot(kick.force, now.v - before.v) + dot(kick.moment, now.w - before.w);
   }
   return 0.5 * settings.h * sum;
 }
@@ -202,7 +201,7 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   note(1.0);
   report.ties += ties;
   const double work = kinetic_energy_now(model, island) - before - ties.all() -
-                      work_beside_kicks(model, island, loads, settings, kicks);
+                      work_beside_kicks(model, articulates, island, settings, kicks);
   report.work += work;
   heat.add(work);
 }

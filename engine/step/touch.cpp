@@ -76,15 +76,14 @@ TouchSettings settings_of(const World& world, bool drifted, double at, double wa
   return {world.stage.h, world.settings.gravity, drifted, at, wanted_at, world.settings.step, world.settings.contact};
 }
 
-/// Forces with energies that kick what nothing ties; none where there are none.
+/// Forces with energies that kick; none where there are none.
 std::vector<BodyLoad> kicks_of(const World& world) {
   if (world.contacts.list.empty() || (!world.forces && !world.solids)) return {};
   const std::size_t bodies = world.bodies.slots();
   std::vector<BodyLoad> kicks(bodies + world.points.slots());
   if (world.forces) {
     const Forces& f = *world.forces;
-    for (const Receiver& r : f.receivers)
-      if (r.articulate < 0) kicks[r.is_body ? r.slot : bodies + r.slot] = {r.force, r.torque};
+    for (const Receiver& r : f.receivers) kicks[r.is_body ? r.slot : bodies + r.slot] = {r.force, r.torque};
     for (std::size_t i = 0; i < f.sites.n; i++)
       if (f.point[i] != Forces::none) kicks[bodies + f.point[i]].force = f.sites.force[i];
   }

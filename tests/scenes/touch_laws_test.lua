@@ -60,3 +60,23 @@ for _, tied in ipairs { false, true } do
     expect(box.velocity.y):near(-(tied and 3 or 2) * 9.81 / 100, 1e-9)
   end)
 end
+
+test("a cart on springs that kick keeps its books on hills", function()
+  local scene = open_text [[
+    scene.step = 1 / 480
+    scene:ground { shape = shape.heights { columns = 101, rows = 11, spacing = 0.5, friction = 1, height = function(x) return 0.3 * math.sin(0.9 * x) end } }
+    local axis = vec(0, 0, 1)
+    local cart = scene:box { size = vec(3, 0.4, 1.4), at = vec(-15, 1.6, 0), mass = 800, velocity = vec(6, 0, 0) }
+    for _, x in ipairs { -1.1, 1.1 } do for _, z in ipairs { -0.85, 0.85 } do
+      local hub = vec(x, -0.5, z)
+      local knuckle = scene:body { at = cart.origin + hub, mass = 15, inertia = vec(0.5, 0.5, 0.5), velocity = vec(6, 0, 0), points = { hub = vec(0, 0, 0) } }
+      local mount, root = cart:add_point { at = vec(x, 0.5, z) }, cart:add_point { at = hub - vec(x, 0, 0) }
+      scene:hinge(root, knuckle:add_point { at = vec(-x, 0, 0) }, { axis = axis })
+      scene:connect(mount, knuckle.hub, force.spring { stiffness = 13000, length = 1.15 })
+      local wheel = scene:cylinder { radius = 0.4, length = 0.25, axis = axis, at = cart.origin + hub, mass = 20, friction = 1, velocity = vec(6, 0, 0), spin = vec(0, 0, -15), points = { hub = vec(0, 0, 0) } }
+      scene:hinge(knuckle.hub, wheel.hub, { axis = axis })
+    end end
+  ]]
+  scene:advance(3)
+  expect(scene.error.worst_energy):below(2e-3)
+end)
