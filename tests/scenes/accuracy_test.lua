@@ -161,3 +161,26 @@ test("where forces are too large for the step, what is told names scene.accuracy
   ]]
   expect(function() scene:advance(1) end):fails "scene.accuracy = 1e-4 would choose sub-steps by the error that they make; the scene is stopped"
 end)
+
+test("a kick or a spin that is given in flight is had by a tree that moves by itself", function()
+  for how, give in ipairs { "b:kick(vec(0, 0, 3))", "b.spin = vec(1, 2, 3)", "b.velocity = vec(0, 1, 1)", "b.c:kick(vec(0, 0, 3))" } do
+    local told = {}
+    for i, integrator in ipairs { "adaptive", "verlet" } do
+      local scene = open_text(("scene.step, scene.integrator = 1 / 240, %q\n"):format(integrator) .. [[
+        scene.gravity = vec(0, 0, 0)
+        local a = scene:body { mass = 2, inertia = vec(0.1, 0.2, 0.3), at = vec(0.5, 0, 0), points = { e = vec(0.5, 0, 0) } }
+        local b = scene:body { mass = 1, inertia = vec(0.1, 0.2, 0.3), at = vec(1.5, 0, 0), points = { c = vec(-0.5, 0, 0) } }
+        scene:hinge(a.e, b.c)
+        scene:at(0.4, function() ]] .. give .. " end)")
+      scene:advance(1)
+      expect(scene.error.worst_energy):below(1e-6)
+      told[i] = { scene.angular_momentum, scene.energy.kinetic }
+    end
+    expect((told[1][1] - told[2][1]):length()):below(1e-6)
+    expect(told[1][2]):near(told[2][2], 1e-3 * told[2][2])
+    if how == 1 then
+      expect(told[1][1].y):near(-4.5, 1e-12)
+      expect(told[1][2]):near(3.375, 1e-12)
+    end
+  end
+end)

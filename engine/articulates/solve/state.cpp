@@ -46,6 +46,7 @@ void store(const Node& n, Model& model) {
 }
 
 void load(Articulate& a, const Model& model, Vec3 gravity) {
+  a.by_tree = false;
   for (Node& n : a.nodes) load(n, model, gravity);
   load_conditions(a, model);
 }
