@@ -187,9 +187,13 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
         space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
   };
   note(-1.0);
+  std::vector<std::vector<Vec3>> driven;
+  for (const std::uint32_t a : island.articulates)
+    driven.push_back(driven_velocities(*articulates[a], model, settings));
   give(model, island, loads);
   ImpulseWork answered;
-  for (const std::uint32_t a : island.articulates) answered += answer_of_ties(*articulates[a], model, settings);
+  for (std::size_t k = 0; k < driven.size(); k++)
+    answered += answer_of_ties(*articulates[island.articulates[k]], model, settings, driven[k]);
   ties += answered;
   if (island.solved) {
     tell_reactions(articulates, island, settings.step, false);

@@ -26,12 +26,32 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
     add_momenta(model, island.states[i], island.things[i], model.plane.along(loads[i].force), loads[i].moment);
 }
 
-ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
+namespace {
+
+void begin_answers_now(Articulate& a, Model& model, const TouchSettings& settings) {
   if (!settings.drifted) load(a, model, settings.gravity);
   drop_factor(a, FactorOf::projection);
   const WantedVelocities as_now(a, settings.step, settings.at);
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+}
+
+}  // namespace
+
+std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings) {
+  if (std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; })) return {};
+  begin_answers_now(a, model, settings);
+  drive_as_now(a);
+  drop_factor(a, FactorOf::projection);
+  std::vector<Vec3> velocities;
+  for (const Condition& c : a.conditions) velocities.push_back(c.wanted);
+  return velocities;
+}
+
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings, std::span<const Vec3> driven) {
+  begin_answers_now(a, model, settings);
+  for (std::size_t k = 0; k < driven.size(); k++)
+    if (Condition& c = a.conditions[k]; c.driven) c.wanted = c.worked_at = driven[k];
   const ImpulseWork work = answer(a);
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
   drop_factor(a, FactorOf::projection);

@@ -104,7 +104,11 @@ void each_island(Workers& workers, std::span<TouchIsland> islands, TouchReport& 
 void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads);
 
 /// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
-ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings);
+/// What is driven stays as fast as `driven` says.
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings,
+                           std::span<const Vec3> driven = {});
+/// (conditions) [m/s] How fast what is driven is now; none where nothing is.
+std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings);
 
 /// What a scalar gives that moves with `velocity`, as far as it wants to: a motor that is stopped gives nothing.
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse, double velocity);

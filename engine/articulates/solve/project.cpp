@@ -441,6 +441,16 @@ void begin_answers(Articulate& a, double epsilon) {
   a.factor_of = FactorOf::projection;
 }
 
+void drive_as_now(Articulate& a) {
+  constexpr double smooth = 0.1;  // part of the speed
+  find_velocities(a, From::batches);
+  for (Condition& c : a.conditions) {
+    const Vec3 now = c.wanted + row(a, c).residual;
+    const double fastest = std::max({norm(c.wanted), norm(now), norm(c.velocity)});
+    if (c.driven && norm(now - c.wanted) > smooth * fastest) c.wanted = c.worked_at = now;
+  }
+}
+
 ImpulseWork answer(Articulate& a) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_velocities(a, From::batches, true);

@@ -34,5 +34,8 @@ void begin_answers(Articulate& articulate, double epsilon);
 /// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it. Returns the work of what
 /// is prescribed.
 ImpulseWork answer(Articulate& articulate);
+/// After `begin_answers`: makes what is driven, and is to jump, stay as fast as it is in the batches now: answers are then to
+/// what comes alone.
+void drive_as_now(Articulate& articulate);
 
 }  // namespace pantin
