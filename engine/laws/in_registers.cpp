@@ -205,7 +205,7 @@ void InRegisters::write_call(const Instruction& i) {
   }
   if (i.function == Function::spline) {
     to_.mov(to_.rdi, reinterpret_cast<std::size_t>(program_.splines[static_cast<std::size_t>(i.c)].get()));
-    to_.mov(to_.esi, static_cast<std::uint32_t>(i.x));
+    to_.mov(to_.esi, static_cast<std::uint32_t>(static_cast<std::int32_t>(i.x)));
     to_.mov(to_.rax, reinterpret_cast<std::size_t>(&spline_of_four));
   } else {
     to_.mov(to_.rax, reinterpret_cast<std::size_t>(called(i.function)));
