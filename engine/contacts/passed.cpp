@@ -44,6 +44,11 @@ struct Crossing {
   }
 };
 
+/// [m] The way of a body that nothing ties.
+Vec3 way_in_drift(const ThingsNow& p, const Motion& m) {
+  return (m.p / m.mass - p.gravity * (0.5 * p.drift)) * p.drift;
+}
+
 /// Slots of shapes that went farther than their inner ball is thick.
 std::vector<std::uint32_t> far_gone(const ThingsNow& p, const ContactFinder& finder) {
   std::vector<std::uint32_t> far;
@@ -51,7 +56,7 @@ std::vector<std::uint32_t> far_gone(const ThingsNow& p, const ContactFinder& fin
     const Shape& shape = p.model.shapes.at_slot(slot);
     const Motion& m = p.model.motion[shape.body.slot - 1];
     if (m.articulate >= 0 || shape.sensor) continue;
-    const double way = p.drift * norm(m.p / m.mass - p.gravity * (0.5 * p.drift));
+    const double way = norm(way_in_drift(p, m));
     if (way > 0.5 * finder.shapes_now[slot].thickness || way > inner_radius(shape.geometry)) far.push_back(slot);
   }
   return far;
@@ -114,7 +119,7 @@ double put_back_passed(const ThingsNow& p, ContactFinder& finder, Model& model, 
   const auto parts = choose(p, finder, crossings);
   for (const auto& [body, part] : parts) {
     Motion& m = model.motion[static_cast<std::size_t>(body)];
-    const Vec3 back = (m.p / m.mass - p.gravity * (0.5 * p.drift)) * ((part - 1.0) * p.drift);
+    const Vec3 back = way_in_drift(p, m) * (part - 1.0);
     m.x += back;
     work -= m.mass * dot(p.gravity, back);
   }

@@ -136,10 +136,14 @@ ThingsNow things_now(const World& world, bool drifted) {
   return {world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
 }
 
-/// What a drift took through something goes back to where they met.
-void put_passed_back(World& world) {
+/// There is what contacts are found with, and it knows of all edits.
+void make_ready(World& world) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
+}
+
+/// What a drift took through something goes back to where they met.
+void put_passed_back(World& world) {
   const double work = put_back_passed(things_now(world, true), *world.contact_finder, world, world.contacts);
   if (work == 0.0) return;
   post(world, Source::push_out, work);
@@ -148,8 +152,6 @@ void put_passed_back(World& world) {
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
-  if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
-  renew(world.contact_finder, world);
   try {
     find_contacts(things_now(world, drifted), *world.contact_finder, *world.workers, world.contacts);
   } catch (const Error& error) {
@@ -170,6 +172,7 @@ void place_contacts(World& world) {
   if (!drifted)
     for (TouchHeat& one : world.contacts.heat) one.last = 0.0;
   if (world.contacts.stale || world.places_changed) {
+    make_ready(world);
     find(world, drifted);
     if (!drifted) {
       note_put(world.contacts, world.steps);
@@ -190,6 +193,7 @@ void place_contacts(World& world) {
 void find_contacts(World& world) {
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::find_contacts);
+  make_ready(world);
   put_passed_back(world);
   find(world, true);
   if (!world.trouble.empty()) return;

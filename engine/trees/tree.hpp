@@ -39,7 +39,7 @@ struct Tree {
     Vec3x4 in, out;                    // [m] arms to the inner hinge, and to the only outer one
     Vec3x4 inverse_inertia, gyration;  // of the latter I_y - I_z, I_z - I_x, I_x - I_y
     Lanes inverse_mass;
-    Lanes sway_in, sway_out;  // see `sway`
+    Lanes turn_per_force_in, turn_per_force_out;  // see `turn_per_force`
   };
   enum class Kind : std::uint8_t { leaf, link, branch };
   /// In the order of elimination.
@@ -55,7 +55,7 @@ struct Tree {
   struct Arm {
     std::uint32_t outer;  // slot of what hangs on it
     Vec3 l;
-    double sway;
+    double turn_per_force;
   };
   /// From a node whose position is known, or the world (-1), to the next.
   struct Step {
@@ -116,7 +116,7 @@ struct TreeWork {
 };
 
 /// Square of the rate at which a force at an arm can make a node swing, by that force [m/(kg m²)].
-double sway(const TreeNode& node, Vec3 arm);
+double turn_per_force(const TreeNode& node, Vec3 arm);
 
 /// Orders the elimination. The hinges must make one tree; at most one is to the world.
 Tree make_tree(std::span<const TreeNode> nodes, std::span<const TreeHinge> hinges);

@@ -196,7 +196,7 @@ double own_rate2_of_rows(const Articulate& a) {
     const auto add = [&](std::int32_t i, Vec3 l) {
       const Node& n = node(a, i);
       sum[static_cast<std::size_t>(i)] +=
-          norm(row.f) * sway({n.mass, n.inertia, n.turns ? n.inverse_inertia : zero3(), 0.0}, l);
+          norm(row.f) * turn_per_force({n.mass, n.inertia, n.turns ? n.inverse_inertia : zero3(), 0.0}, l);
     };
     add(row.a, row.la);
     if (row.b >= 0) add(row.b, row.lb);
