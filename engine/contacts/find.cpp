@@ -24,26 +24,6 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
   }
 }
 
-/// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
-void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
-  constexpr double near = 0.05;  // of the size
-  if (hinged.empty()) return;
-  const auto is_before = [](const HingedPair& h, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
-    return std::pair(h.a, h.b) < bodies;
-  };
-  std::erase_if(list, [&](const Contact& c) {
-    const auto b = static_cast<std::uint32_t>(c.body_b);  // of the world: of no body
-    const std::pair bodies(std::min(c.body_a, b), std::max(c.body_a, b));
-    auto h = std::lower_bound(hinged.begin(), hinged.end(), bodies, is_before);
-    for (; h != hinged.end() && std::pair(h->a, h->b) == bodies; h++) {
-      const BodyState s = state_of(p.model, p.articulates, h->a, p.drifted);
-      const Vec3 d = c.at - s.x - s.R * h->arm, axis = s.R * h->axis;
-      if (norm(d - axis * dot(axis, d)) < near * c.size) return true;
-    }
-    return false;
-  });
-}
-
 /// Those that were foreseen before the drift that is over and held in it.
 std::vector<Contact> held_ahead(const std::vector<Contact>& list) {
   std::vector<Contact> held;
@@ -70,6 +50,25 @@ void add_from_before(const std::vector<Contact>& past, std::vector<Contact>& lis
 }
 
 }  // namespace
+
+void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
+  constexpr double near = 0.05;  // of the size
+  if (hinged.empty()) return;
+  const auto is_before = [](const HingedPair& h, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
+    return std::pair(h.a, h.b) < bodies;
+  };
+  std::erase_if(list, [&](const Contact& c) {
+    const auto b = static_cast<std::uint32_t>(c.body_b);  // of the world: of no body
+    const std::pair bodies(std::min(c.body_a, b), std::max(c.body_a, b));
+    auto h = std::lower_bound(hinged.begin(), hinged.end(), bodies, is_before);
+    for (; h != hinged.end() && std::pair(h->a, h->b) == bodies; h++) {
+      const BodyState s = state_of(p.model, p.articulates, h->a, p.drifted);
+      const Vec3 d = c.at - s.x - s.R * h->arm, axis = s.R * h->axis;
+      if (norm(d - axis * dot(axis, d)) < near * c.size) return true;
+    }
+    return false;
+  });
+}
 
 void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   put_bounds(p, finder);

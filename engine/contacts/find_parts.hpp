@@ -47,6 +47,9 @@ ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32
 /// Those of all pairs of shapes, by key, into the first of `found`.
 void find_of_shapes(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, Workers& workers);
 
+/// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
+void drop_at_hinges(const ThingsNow& where, const std::vector<HingedPair>& hinged, std::vector<Contact>& list);
+
 /// Finds where solid points are and how they go on.
 void locate_points(const ThingsNow& where, ContactFinder& finder);
 /// Adds those of solid points; their keys are above those of shapes.

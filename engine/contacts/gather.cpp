@@ -175,6 +175,7 @@ void TouchIsland::clear() {
   given.clear();
   answered = {};
   heat.clear();
+  placed_work = 0.0;
   report = {};
 }
 

@@ -51,6 +51,7 @@ struct TouchIsland {
   std::vector<TouchScalar> held;   ///< what scalars within bounds gave in `place`
   ImpulseWork answered;            ///< what ties that move gave of that
   std::vector<TouchHeat> heat;     ///< of the stage, where it is kept
+  double placed_work = 0.0;        ///< [J] of the report of placing
   TouchReport report;              ///< of the stage, of it alone
 
   void clear();  ///< keeps memory

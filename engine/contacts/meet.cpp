@@ -2,6 +2,7 @@
 #include <array>
 #include <numeric>
 
+#include "contacts/gains.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/ties.hpp"
@@ -16,8 +17,10 @@ namespace {
 constexpr double held_gap = 1e-2;  // of the size: that may be left of one that was to be closed
 
 /// Takes out what ties answered to impulses of `place`, in articulates that touch nothing after the drift.
-void answer_where_nothing_touches(Model& model, const Articulates& articulates, std::span<const TouchIsland> islands,
-                                  const TouchSettings& settings, TouchReport& report) {
+std::vector<WorkOnThing> answer_where_nothing_touches(Model& model, const Articulates& articulates,
+                                                      std::span<const TouchIsland> islands,
+                                                      const TouchSettings& settings, TouchReport& report) {
+  std::vector<WorkOnThing> work;
   std::vector<char> touches(articulates.size(), 0);
   for (const TouchIsland& island : islands)
     for (const std::uint32_t number : island.articulates) touches[number] = 1;
@@ -32,8 +35,12 @@ void answer_where_nothing_touches(Model& model, const Articulates& articulates, 
     const double before = kinetic();
     const ImpulseWork ties = answer_of_ties(a, model, settings);
     report.ties += ties;
-    report.work += kinetic() - before - ties.all();
+    const double by = kinetic() - before - ties.all();
+    report.work += by;
+    const auto body = std::find_if(a.nodes.begin(), a.nodes.end(), [](const Node& n) { return n.is_body; });
+    if (body != a.nodes.end()) work.emplace_back(body->slot, by);
   }
+  return work;
 }
 
 /// What ties that move give by impulses at the end of the step.
@@ -162,7 +169,9 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     report.work += work;
     heat.add(work);
   });
-  answer_where_nothing_touches(model, articulates, islands, settings, sum);
+  const std::vector<WorkOnThing> beside = answer_where_nothing_touches(model, articulates, islands, settings, sum);
+  sum.wrong = gains(model, std::span(space.placing).first(space.placed), islands, beside);
+  space.placed = 0;
   collect_heat(contacts, islands);
   hold_again(articulates);
 }

@@ -13,6 +13,7 @@ namespace pantin {
 void TouchReport::operator+=(const TouchReport& more) {
   work += more.work;
   belts += more.belts;
+  wrong += more.wrong;
   gravity += more.gravity;
   ties += more.ties;
   islands += more.islands;

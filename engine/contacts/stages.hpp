@@ -1,5 +1,5 @@
 #pragma once
-// Touch in a step: `place` before a drift and `meet` after it solve the same problem, for velocities that do not bring
+// Touch in a step: placing before a drift and `meet` after it solve the same problem, for velocities that do not bring
 // shapes into each other and for velocities with all impulses of the step; `push_out` opens what overlaps all the same.
 #include <memory>
 #include <span>
@@ -30,6 +30,7 @@ struct BodyLoad;
 struct TouchReport {
   double work = 0.0;     ///< [J] change of the kinetic energy by contacts
   double belts = 0.0;    ///< [J] what moving surfaces may have given of it
+  double wrong = 0.0;    ///< [J] that contacts gave and should not have
   double gravity = 0.0;  ///< [J] that gravity gives from rest in the step to what touches
   ImpulseWork ties;      ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;
@@ -40,10 +41,17 @@ struct TouchReport {
 
 using Articulates = std::vector<std::unique_ptr<Articulate>>;
 
-/// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄. `kicks` are
-/// the forces with energies that kicked things before and after it [N], [N m]: by slots of bodies, then of points, or none.
-void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
-           const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
+/// Forgets what the last drift needed.
+void begin_placing(const Model& model, const Articulates& articulates, Contacts& contacts,
+                   const TouchSettings& settings);
+/// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄, which the
+/// islands of `space` then have.
+void find_placing(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+                  const TouchSettings& settings, TouchReport& report);
+/// Gives them. `kicks` are the forces with energies that kicked things before and after the drift [N], [N m]: by slots of bodies,
+/// then of points, or none.
+void give_placing(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+                  const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay, after
 /// impacts, which rebound: 0 ≤ γ_n ⊥ n·v ≥ 0.
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,

@@ -189,7 +189,6 @@ void take_back(TouchSpace& space, Workers& workers, Model& model, const Articula
     heat.add(report.work);
   });
   collect_heat(contacts, islands);
-  space.placed = 0;
 }
 
 }  // namespace pantin

@@ -9,6 +9,7 @@
 #include "contacts/motor_bounds.hpp"
 #include "contacts/overlaps.hpp"
 #include "contacts/passed.hpp"
+#include "contacts/pushed.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
 #include "forces/forces.hpp"
@@ -102,13 +103,11 @@ void count(World& world, const TouchReport& report) {
 
 /// Friction and impact only take, but for what moving surfaces give. What else came is no work from outside: it is an error.
 void post_contacts(World& world, const TouchReport& report) {
-  const double work = world.contacts.work + report.work;
-  const double wrong = std::max(0.0, work - std::max(0.0, report.belts));
-  post(world, Source::contact, work - wrong);
+  post(world, Source::contact, world.contacts.work + report.work - report.wrong);
   DriftReport told;
-  told.unsolved = wrong;
+  told.unsolved = report.wrong;
   post_report(world, told);
-  if (world.contacts.heat_kept) settle_heat(world, world.contacts, wrong);
+  if (world.contacts.heat_kept) settle_heat(world, world.contacts, report.wrong);
 }
 
 /// The last that could touch is gone: nothing goes on to press, and no motor has a bound.
@@ -162,9 +161,27 @@ void find(World& world, bool drifted) {
   wake_touched(world);
 }
 
+/// Finds contacts with what those meet that contacts push. Whether there are any.
+bool find_more(World& world, bool drifted) {
+  make_ready(world);
+  const TouchSpace& space = *world.touch_space;
+  try {
+    if (!find_pushed(things_now(world, drifted), *world.contact_finder, std::span(space.placing).first(space.placed),
+                     world.contacts))
+      return false;
+  } catch (const Error& error) {
+    world.trouble = error.what();
+    world.contacts.stale = true;
+    return false;
+  }
+  wake_touched(world);
+  return true;
+}
+
 }  // namespace
 
 void place_contacts(World& world) {
+  constexpr int most_rounds = 8;  // of those that push others that push others
   if (nothing_touches(world) && world.touch_space) forget_touch(world);
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::place_contacts);
@@ -182,8 +199,16 @@ void place_contacts(World& world) {
   if (!world.trouble.empty()) return;
   TouchReport report;
   const std::vector<BodyLoad> kicks = kicks_of(world);
-  place(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-        settings_of(world, drifted, world.stage.from, 0.5 * (world.stage.from + world.stage.to)), kicks, report);
+  const TouchSettings settings =
+      settings_of(world, drifted, world.stage.from, 0.5 * (world.stage.from + world.stage.to));
+  begin_placing(world, world.articulates, world.contacts, settings);
+  for (int round = 1;; round++) {
+    report.gravity = 0.0;
+    report.unsolved = 0;
+    find_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, report);
+    if (round == most_rounds || !find_more(world, drifted)) break;
+  }
+  give_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, kicks, report);
   world.contacts.work = report.work;
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);

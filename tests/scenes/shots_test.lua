@@ -72,3 +72,65 @@ test("what whirls by more than a turn in a step is not pushed by a wall that it 
     expect(scene:read("x")):near(0.3, 1e-9)
   end
 end)
+
+local row = [[
+  scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)
+  local a, gap, count = 0.05, 0.001, 5
+  local wall = scene:ground { shape = shape.box(0.1, 4, 4), at = vec(count * (a + gap) + 0.15, 0, 0) }
+  local ball = scene:ball { radius = a / 2, density = 1000, at = vec(-0.9, 0, 0), velocity = vec(speed, 0, 0) }
+  local row, deepest = { ball }, 0
+  for i = 1, count do
+    row[i + 1] = scene:body { shape = kind, mass = 0.125, at = vec((i - 0.5) * (a + gap) - 0.5 * gap, 0, 0) }
+  end
+  scene:probe("overlap", function()
+    deepest = math.max(deepest, scene.error.penetration)
+    return deepest / a
+  end)
+  scene:probe("out of order", function()
+    local out = row[#row].position.x > wall.position.x and 1 or 0
+    for i = 2, #row do out = out + (row[i].position.x < row[i - 1].position.x and 1 or 0) end
+    return out
+  end)
+]]
+
+test("a fast ball pushes a row of free things, not into each other", function()
+  for _, kind in ipairs { "shape.box(0.05, 0.05, 0.05)", "shape.ball(0.025)" } do
+    for _, speed in ipairs { 5, 20, 50, 200, 1000 } do
+      local scene = open_text(("local speed, kind = %g, %s\n"):format(speed, kind) .. row)
+      scene:advance(0.5)
+      expect(scene:read("overlap")):below(0.05)
+      expect(scene:read("out of order")):equal(0)
+      expect(scene.error.worst_energy):below(1e-8)
+    end
+  end
+end)
+
+test("a row that sleeps wakes where one is pushed", function()
+  local scene = open_text("local speed, kind = 20, shape.box(0.05, 0.05, 0.05)\n" .. row:gsub("vec%(%-0.9", "vec(-20") .. "scene.gravity = vec(0, -10, 0)\nscene:floor { height = -0.025 }\nball.velocity = vec(20, 0, 0)")
+  scene:advance(0.8)
+  expect(scene:read("overlap")):below(0.01)
+  scene:advance(0.7)
+  expect(scene:read("overlap")):below(0.05)
+end)
+
+local crushed = [[
+  scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)
+  scene:ground { shape = shape.box(0.1, 2000, 2000), at = vec(0.05, 0, 0) }
+  for r = 0, 59 do
+    local at, x, a = vec(0, r % 10, r // 10) * 20, 0, 0.01 * 5 ^ math.random()
+    for i = 1, 1 + r % 5 do
+      x = x - 1.1 * a - 0.01 * math.random()
+      scene:box { size = vec(a, a, a), density = 1000, at = at + vec(x, 0.1 * a * math.random(), 0.1 * a * math.random()),
+                  orientation = quat(vec(math.random(), math.random(), 1), 0.05 * math.random()) }
+    end
+    scene:box { size = vec(2, 2, 2) * a, density = 1000, at = at + vec(x - 0.5, 0, 0), velocity = vec(5 * 10 ^ math.random(), 0, 0) }
+  end
+]]
+
+test("what a blow crushes against a wall, and makes whirl, gains nothing", function()
+  for seed = 1, 4 do
+    local scene = open_text(("scene.seed = %d\n"):format(seed) .. crushed)
+    scene:advance(0.5)
+    expect(scene.error.worst_energy):below(1e-3)
+  end
+end)

@@ -18,6 +18,7 @@ constexpr std::uint32_t sweeps_of_many = 60;  // more, where it is calm
 constexpr double very_calm = 0.1;             // of the speed of a calm island: one of many is solved exactly
 constexpr std::uint32_t most_rounds = 8;      // of proximal steps
 constexpr double accepted = 100.0;            // of the tolerance
+constexpr double deep = 2.5e8;                // of the tolerance: a hundredth of the thickness in a drift
 constexpr std::size_t most_updates = 100;     // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
@@ -214,8 +215,9 @@ IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSea
       search.sweeps(sweeps_before_newton);
     else
       search.sweeps(most_sweeps, !island.is_tied() ? more_sweeps : most_sweeps);
+    const bool gets_deep = search.report.residual > deep * island.tolerance && island.contacts.size() <= many;
     if (search.report.residual > island.tolerance &&
-        (exact || deserves())) {  // impulses to begin with may have been far off
+        (exact || gets_deep || deserves())) {  // impulses to begin with may have been far off
       if (surely)
         search_surely(search);
       else if (effort != SearchEffort::sweeps)

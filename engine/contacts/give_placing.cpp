@@ -1,0 +1,121 @@
+// What `place` gives to things, and what ties answer.
+#include "contacts/heat.hpp"
+#include "contacts/motor_bounds.hpp"
+#include "contacts/stage_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by what was given since the
+/// island's states: work at contacts is change of the energy, not of the kinetic one alone.
+double work_beside_kicks(const Model& model, const Articulates& articulates, const TouchIsland& island,
+                         const TouchSettings& settings, std::span<const BodyLoad> kicks) {
+  if (kicks.empty()) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    const BodyLoad& kick = kicks[number_of(model, island.things[i])];
+    const BodyState before = island.states[i], now = state_of(model, articulates, island.things[i], settings.drifted);
+    sum += dot(kick.force, now.v - before.v) + dot(kick.moment, now.w - before.w);
+  }
+  return 0.5 * settings.h * sum;
+}
+
+/// Notes what each thing got by these impulses, and by what ties answered them.
+void note_given(const Model& model, const Articulates& articulates, TouchIsland& island,
+                const std::vector<BodyLoad>& impulses, bool drifted) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    const std::uint32_t thing = island.things[i];
+    BodyImpulse given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
+    if (island_number(model, articulates.size(), thing) < articulates.size()) {
+      const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
+      given.impulse = (after.v - before.v) * before.mass;
+      given.moment = island.problem.bodies[i].inertia * (after.w - before.w);
+    }
+    if (norm2(given.impulse) + norm2(given.moment) > 0.0) island.given.push_back(given);
+  }
+}
+
+/// Whether contacts stop a motor that has no limit but that of what touches.
+bool is_jammed(const IslandScalar& s, const ScalarRow& row, const Condition& c) {
+  constexpr double moves = 1e-2;  // of the wanted velocity
+  if (std::isinf(c.strongest) || !s.is_at_bound()) return false;
+  return (s.u - s.bias) * row.wanted <= moves * row.wanted * row.wanted;
+}
+
+/// Adds what scalars within bounds answer to contacts, and notes it. Where one reached a bound the drift, which asks for that force
+/// again, gives it; not where it is jammed: what then holds it must not be taken back alone.
+ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, std::vector<BodyLoad>& loads) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const IslandScalar& s = island.problem.scalars[k];
+    const TouchScalar& from = island.scalars[k];
+    Articulate& a = *articulates[from.articulate];
+    Condition& c = condition(a, a.rows[from.row.row()]);
+    const bool jams = is_jammed(s, from.row, c);
+    if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
+    const double impulse = s.impulse + (jams ? s.earlier_impulse : 0.0);
+    if (jams) jam(c);
+    add_load(island.problem, loads, s, impulse);
+    add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
+    island.held.push_back(from);
+    island.held.back().given = impulse;
+  }
+  return island.answered;
+}
+
+/// Gives what was found, and what ties answer; notes what each thing got of both.
+void give_to_island(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
+                    const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchIsland& island,
+                    TouchReport& report) {
+  const double before = kinetic_energy_now(model, island);
+  HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
+  for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
+  std::vector<BodyLoad> loads(island.things.size());
+  add_contact_loads(island.problem, loads);
+  ImpulseWork ties = hold_scalars(articulates, island, loads);
+  const auto note = [&](double sign) {
+    for (std::size_t i = 0; i < island.things.size(); i++)
+      if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
+        space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
+  };
+  note(-1.0);
+  std::vector<std::vector<Vec3>> driven;
+  for (const std::uint32_t a : island.articulates)
+    driven.push_back(driven_velocities(*articulates[a], model, settings));
+  give(model, island, loads);
+  ImpulseWork answered;
+  for (std::size_t k = 0; k < driven.size(); k++)
+    answered += answer_of_ties(*articulates[island.articulates[k]], model, settings, driven[k]);
+  ties += answered;
+  if (island.solved) {
+    tell_reactions(articulates, island, settings.step, false);
+  } else {
+    island.held.clear();
+    note_given(model, articulates, island, loads, settings.drifted);
+    island.answered += answered;
+  }
+  note(1.0);
+  report.ties += ties;
+  const double work = kinetic_energy_now(model, island) - before - ties.all() -
+                      work_beside_kicks(model, articulates, island, settings, kicks);
+  report.work += work;
+  heat.add(work);
+}
+
+}  // namespace
+
+void give_placing(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+                  const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& sum) {
+  const std::span<TouchIsland> islands = std::span(space.placing).first(space.placed);
+  space.placing_work.assign(space.index.size(), 0.0);
+  space.turned.assign(space.index.size(), zero3());
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
+    report = {};
+    if (!island.placed.empty()) give_to_island(space, model, articulates, contacts, settings, kicks, island, report);
+    island.placed_work = report.work;
+  });
+  collect_heat(contacts, islands);
+  hold_again(articulates);
+}
+
+}  // namespace pantin
