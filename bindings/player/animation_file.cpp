@@ -1,7 +1,10 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 
 #include "player/animation.hpp"
 
@@ -39,9 +42,10 @@ class Animation::File {
   }
 
   void write(const std::string& path) {
-    tinygltf::TinyGLTF writer;
-    require(writer.WriteGltfSceneToFile(&model_, path, true, true, false, true), "animation '", path,
-            "' cannot be written");
+    std::ofstream file(path, std::ios::binary);
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, file, false, true);
+    file.close();
+    require(file.good(), "animation '", path, "' cannot be written: ", std::strerror(errno));
   }
 
  private:

@@ -68,8 +68,12 @@ Output::Output(Output&& other) noexcept
       temporary_(std::exchange(other.temporary_, "")),
       unfinished_(std::move(other.unfinished_)) {}
 
-Output::~Output() {
+Output::~Output() { drop(); }
+
+void Output::drop() {
   if (!temporary_.empty() && temporary_ != target_) unlink(temporary_.c_str());
+  temporary_.clear();
+  unfinished_ = {};
 }
 
 void Output::write(const std::string& text_) const {
@@ -79,9 +83,25 @@ void Output::write(const std::string& text_) const {
   require(file.good(), "cannot write ", path_, ": ", std::strerror(errno));
 }
 
+std::string Output::in_own_name(std::string message) const {
+  if (temporary_.empty()) return message;
+  for (std::size_t at; (at = message.find(temporary_)) != std::string::npos && temporary_ != path_;)
+    message.replace(at, temporary_.size(), path_);
+  return message;
+}
+
 void Output::keep() {
-  if (temporary_ != target_)
-    require(std::rename(temporary_.c_str(), target_.c_str()) == 0, "cannot write ", path_, ": ", std::strerror(errno));
+  if (temporary_.empty()) return;
+  const auto do_or_tell = [&](bool done) { require(done, "cannot write ", path_, ": ", std::strerror(errno)); };
+  if (temporary_ != target_) {
+    const int file = open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+    do_or_tell(file >= 0);
+    const bool flushed = fsync(file) == 0;
+    close(file);
+    do_or_tell(flushed);
+    require(fs::file_size(temporary_) > 0, "cannot write ", path_, ": nothing was written to it");
+    do_or_tell(std::rename(temporary_.c_str(), target_.c_str()) == 0);
+  }
   temporary_.clear();
   unfinished_ = {};
 }

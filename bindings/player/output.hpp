@@ -25,7 +25,11 @@ class Output {
   const std::string& temporary() const { return temporary_; }
   /// Writes a text as the whole of it. Throws Error.
   void write(const std::string& text) const;
-  /// It is complete. Throws Error.
+  /// It will never be complete.
+  void drop();
+  /// A message about the temporary file, as one about the file that it is to be.
+  std::string in_own_name(std::string message) const;
+  /// It is complete: flushed to its disk, then it takes its name. Throws Error.
   void keep();
 
  private:

@@ -1,5 +1,6 @@
 #include "player/outputs.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -33,18 +34,34 @@ std::vector<std::string> Outputs::films() const {
   return paths;
 }
 
-void Outputs::write_tables(const Times& times, const World& world) const {
-  for (const Output& file : files_)
-    if (file.path().ends_with(".csv")) file.write(probe_table(times, world.probes));
+void Outputs::write_tables(const Times& times, const World& world) {
+  for (Output& file : files_)
+    if (file.path().ends_with(".csv")) complete(file, [&] { file.write(probe_table(times, world.probes)); });
 }
 
-void Outputs::write_summary(const Scene& scene, const std::string& failure) const {
-  for (const Output& file : summary_) file.write(summary(scene, failure));
+void Outputs::write_summary(const Scene& scene, const std::string& failure) {
+  for (Output& file : summary_) complete(file, [&] { file.write(summary(scene, failure)); });
+}
+
+void Outputs::drop(Output& file, const std::string& why) {
+  if (failure_.empty()) failure_ = in_own_names(why);
+  file.drop();
+}
+
+Output& Outputs::of(const std::string& temporary) {
+  return *std::find_if(files_.begin(), files_.end(), [&](const Output& file) { return file.temporary() == temporary; });
+}
+
+std::string Outputs::in_own_names(std::string message) const {
+  for (const Output& file : files_) message = file.in_own_name(message);
+  for (const Output& file : summary_) message = file.in_own_name(message);
+  return message;
 }
 
 void Outputs::keep() {
-  for (Output& file : files_) file.keep();
-  for (Output& file : summary_) file.keep();
+  for (std::vector<Output>* list : {&files_, &summary_})
+    for (Output& file : *list) complete(file, [&] { file.keep(); });
+  require(failure_.empty(), failure_);
 }
 
 }  // namespace pantin::player

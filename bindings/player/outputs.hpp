@@ -6,6 +6,7 @@
 #include "player/output.hpp"
 #include "player/pictures.hpp"
 #include "player/table.hpp"
+#include "scene/errors.hpp"
 #include "scene/scene.hpp"
 
 namespace pantin::player {
@@ -23,12 +24,29 @@ class Outputs {
   /// Films among them.
   std::vector<std::string> films() const;
 
-  void write_tables(const Times& times, const World& world) const;
-  void write_summary(const Scene& scene, const std::string& failure = "") const;
-  /// All are complete: they take their own names.
+  void write_tables(const Times& times, const World& world);
+  void write_summary(const Scene& scene, const std::string& failure = "");
+  /// A message about temporary files, in the names that they are to have.
+  std::string in_own_names(std::string message) const;
+  /// Does what writes a temporary file; where that throws Error the file is none of those that are kept.
+  template <class F>
+  void complete(const std::string& temporary, F&& f) {
+    complete(of(temporary), f);
+  }
+  /// All that are complete take their own names. Throws Error for the first that is not.
   void keep();
 
  private:
+  template <class F>
+  void complete(Output& file, F&& f) {
+    try {
+      f();
+    } catch (const Error& error) { drop(file, error.what()); }
+  }
+  void drop(Output& file, const std::string& why);
+  Output& of(const std::string& temporary);
+
+  std::string failure_;  ///< the first
   std::vector<Output> files_;
   std::vector<Output> summary_;  ///< one or none
 };

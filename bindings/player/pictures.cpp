@@ -54,8 +54,9 @@ void Pictures::add_frames() {
   }
 }
 
-void Pictures::finish_films() {
-  for (auto& film : films_) film->finish();
+void Pictures::finish_film(const std::string& path) {
+  for (auto& film : films_)
+    if (film->path() == path) film->finish();
 }
 
 void Pictures::write_picture(const std::string& path) {

@@ -22,7 +22,8 @@ class Pictures {
 
   /// Adds the frames that are due at the scene's present time; call it at the start and after each step.
   void add_frames();
-  void finish_films();
+  /// By its path.
+  void finish_film(const std::string& path);
   void write_picture(const std::string& path);
 
  private:

@@ -25,7 +25,8 @@ int play_in_window(const RunOptions& options, const std::string& home) {
   player.end_film();
   player.end_recording();
   outputs.write_tables(player.times(), player.scene().world());
-  for (const std::string& picture : outputs.temporaries(".png")) player.write_picture(picture);
+  for (const std::string& picture : outputs.temporaries(".png"))
+    outputs.complete(picture, [&] { player.write_picture(picture); });
   outputs.write_summary(player.scene());
   outputs.keep();
   return player.failure().empty() && !player.display_lost() ? 0 : 1;

@@ -1,7 +1,10 @@
 #include "player/program.hpp"
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -49,8 +52,9 @@ int run_program(int argc, const char* const* argv) {
   // Without this variable OpenGL's libraries write to standard error, even where there is no display to look for.
   setenv("XDG_RUNTIME_DIR", "/tmp", 0);
   try {
-    int code = do_command(read_options(argc, argv));
-    std::cout.flush();
+    const int code = do_command(read_options(argc, argv));
+    require(std::cout.flush().good() && std::fflush(stdout) == 0 && !std::ferror(stdout),
+            "what this tells cannot be written: ", std::strerror(errno));
     return code;
   } catch (const UsageError& error) {
     say(error.what());

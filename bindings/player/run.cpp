@@ -44,12 +44,11 @@ void run_to(Scene& scene, double until, After after) {
 /// All that is written frame by frame.
 class Frames {
  public:
-  Frames(const Scene& scene, const RunOptions& options, const Outputs& outputs)
-      : scene_(scene), pictures_of_(outputs.temporaries(".png")), animations_(outputs.temporaries(".glb")) {
+  Frames(const Scene& scene, const RunOptions& options, const Outputs& outputs) : scene_(scene) {
     for (const std::string& path : outputs.temporaries(".xyz"))
       trajectories_.emplace_back(path, usual_frame_rate, scene.pace());
-    if (!animations_.empty()) animation_.emplace(scene.world(), animation_frame_rate, scene.pace());
-    if (!pictures_of_.empty() || !outputs.films().empty())
+    if (outputs.has(".glb")) animation_.emplace(scene.world(), animation_frame_rate, scene.pace());
+    if (outputs.has(".png") || !outputs.films().empty())
       pictures_ = std::make_unique<Pictures>(scene, options.size, options.views, outputs.films());
     add();
   }
@@ -61,16 +60,18 @@ class Frames {
     for (Trajectory& trajectory : trajectories_) trajectory.add_frames(scene_.world());
   }
 
-  void finish() {
-    for (const std::string& path : pictures_of_) pictures_->write_picture(path);
-    if (pictures_) pictures_->finish_films();
-    for (const std::string& path : animations_) animation_->write(path, scene_.title());
-    for (Trajectory& trajectory : trajectories_) trajectory.finish();
+  void finish(Outputs& outputs) {
+    const auto each = [&](const std::vector<std::string>& paths, auto write) {
+      for (const std::string& path : paths) outputs.complete(path, [&] { write(path); });
+    };
+    each(outputs.temporaries(".png"), [&](const std::string& path) { pictures_->write_picture(path); });
+    each(outputs.films(), [&](const std::string& path) { pictures_->finish_film(path); });
+    each(outputs.temporaries(".glb"), [&](const std::string& path) { animation_->write(path, scene_.title()); });
+    for (Trajectory& trajectory : trajectories_) outputs.complete(trajectory.path(), [&] { trajectory.finish(); });
   }
 
  private:
   const Scene& scene_;
-  std::vector<std::string> pictures_of_, animations_;  // paths
   std::unique_ptr<Pictures> pictures_;
   std::optional<Animation> animation_;
   std::vector<Trajectory> trajectories_;
@@ -95,13 +96,13 @@ int run(const RunOptions& options, const std::string& home) {
     });
   } catch (const Error& error) {
     if (world.steps == 0) throw;
-    failure = error.what();
+    failure = outputs.in_own_names(error.what());
     say(failure);
   }
 
   if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
-  frames.finish();
+  frames.finish(outputs);
   outputs.write_summary(*scene, failure);
   outputs.keep();
   if (!failure.empty()) return 1;

@@ -18,6 +18,7 @@ class Trajectory {
  public:
   /// `rate` frames in a second of play; `pace` as the scene's. Throws Error.
   Trajectory(std::string path, double rate, double pace);
+  const std::string& path() const { return path_; }
   /// Adds the frames that are due; call it at the start and after each step.
   void add_frames(const World& world);
   /// Throws Error where not all could be written.

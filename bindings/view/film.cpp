@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "base/check.hpp"
@@ -74,6 +75,30 @@ std::vector<std::string> arguments(const std::string& out, const std::string& ki
   const int why = errno;
   if (::write(report, &why, sizeof why) < 0) ::_exit(126);
   ::_exit(127);
+}
+
+/// By its first bytes a RIFF file says how long it is, an MPEG-4 file how long each of its boxes is; a GIF ends with a mark. (What
+/// ffmpeg cannot write it does not always tell.)
+bool is_whole(const std::string& path, const std::string& kind) {
+  std::ifstream file(path, std::ios::binary);
+  const auto size = static_cast<std::uint64_t>(file.seekg(0, std::ios::end).tellg());
+  const auto byte = [&](std::uint64_t at) {
+    return static_cast<std::uint64_t>(file.seekg(static_cast<std::streamoff>(at)).get() & 0xff);
+  };
+  if (!file || size < 16) return false;
+  if (kind == ".gif") return byte(size - 1) == 0x3b;
+  if (kind == ".webp") return size == 8 + (byte(4) | byte(5) << 8 | byte(6) << 16 | byte(7) << 24);
+  std::uint64_t at = 0;
+  while (at + 8 <= size) {
+    std::uint64_t length = byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3);
+    if (length == 1 && at + 16 <= size) {
+      length = 0;
+      for (std::uint64_t k = 8; k < 16; k++) length = length << 8 | byte(at + k);
+    }
+    if (length < 8) return false;
+    at += length;
+  }
+  return at == size;
 }
 
 }  // namespace
@@ -147,6 +172,7 @@ void Film::finish() {
   stop();
   if (frames_ == 0) fail("it has no frames");
   if (status_ != 0) fail(text("ffmpeg failed: ", complaint()));
+  if (!is_whole(temporary_, ending(path_))) fail("it was cut off; is the disk full?");
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
   if (errors_ >= 0) ::close(errors_);
   errors_ = -1;
@@ -172,6 +198,7 @@ std::string Film::complaint() const {
   const ssize_t n = errors_ < 0 ? 0 : ::pread(errors_, buffer, sizeof buffer, 0);
   std::string said(buffer, n > 0 ? static_cast<std::size_t>(n) : 0);
   while (!said.empty() && (said.back() == '\n' || said.back() == ' ')) said.pop_back();
+  for (std::size_t at; (at = said.find(temporary_)) != std::string::npos;) said.replace(at, temporary_.size(), path_);
   return said;
 }
 

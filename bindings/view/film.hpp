@@ -20,6 +20,7 @@ class Film {
   void add(std::span<const std::uint8_t> pixels);
   void finish();
   std::uint64_t frames() const { return frames_; }
+  const std::string& path() const { return path_; }
 
   /// The endings it knows.
   static bool can_write(const std::string& path);

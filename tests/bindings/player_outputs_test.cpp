@@ -1,0 +1,54 @@
+#include <catch2/catch.hpp>
+
+#include "bindings/program_support.hpp"
+
+using namespace pantin::support;
+
+namespace {
+
+/// In a shell, where no file may be longer than some kilobytes.
+Finished use_with_little_disk(const Folder& folder, const std::string& outputs) {
+  Process::Options o = options({}, folder.path);
+  o.arguments = {"bash", "-c", "ulimit -f 4; exec \"$0\" run swing.lua --until 1 --size 320x240 " + outputs,
+                 pantin::sources::program()};
+  return finish(o);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "outputs: what cannot be written whole leaves the file of before, is told by its own name, and fails the run") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  std::vector<std::string> endings = {".csv", ".xyz", ".glb", ".png"};
+  if (have_program("ffmpeg")) endings.insert(endings.end(), {".mp4", ".gif", ".webp"});
+  for (const std::string& ending : endings) {
+    INFO(ending);
+    write_file(folder / ("a" + ending), "before");
+    const Finished run = use_with_little_disk(folder, "--out a" + ending + " --summary s.json");
+    CHECK(run.code == 1);
+    CHECK(read_file(folder / ("a" + ending)) == "before");
+    CHECK_THAT(run.err, Catch::Contains("a" + ending) && !Catch::Contains(".part"));
+    CHECK(folder.files() == std::vector<std::string>{"a" + ending, "s.json", "swing.lua"});
+    std::filesystem::remove(folder / ("a" + ending));
+    std::filesystem::remove(folder / "s.json");
+  }
+}
+
+TEST_CASE("outputs: those that are whole are kept where another is not") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  const Finished run = use_with_little_disk(folder, "--out a.xyz --summary s.json");
+  CHECK(run.code == 1);
+  CHECK(folder.files() == std::vector<std::string>{"s.json", "swing.lua"});
+}
+
+TEST_CASE("outputs: a run whose words cannot be written fails") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Process::Options o = options({}, folder.path);
+  o.arguments = {"bash", "-c", "exec \"$0\" run swing.lua --until 0.1 >/dev/full", pantin::sources::program()};
+  const Finished run = finish(o);
+  CHECK(run.code == 1);
+  CHECK_THAT(run.err, Catch::Contains("No space left on device"));
+}
