@@ -84,7 +84,8 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
-  app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB")
+  app.add_option("--memory-limit", texts.memory,
+                 "Of the script's memory, and of what its scene takes beside it, at least 1MiB")
       ->check(check_bytes)
       ->default_str("2GiB")
       ->type_name("SIZE");

@@ -16,6 +16,7 @@
 #include "player/trajectory.hpp"
 #include "scene/errors.hpp"
 #include "scene/headway.hpp"
+#include "scene/memory.hpp"
 
 namespace pantin::player {
 namespace {
@@ -24,18 +25,20 @@ constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose
 
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
-void run_to(Scene& scene, double until, After after) {
+void run_to(Scene& scene, double until, std::size_t memory_limit, After after) {
   Progress progress(until);
   World& world = scene.world();
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
   Headway headway(world, until);
+  MemoryLimit memory(memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     try {
       scene.step();
     } catch (const Interrupted& error) { return say(error.what()); }
     require(world.failure.empty(), world.failure);
     headway.check(world);
+    memory.check();
     after();
     progress.show(world.time);
   }
@@ -90,7 +93,7 @@ int run(const RunOptions& options, const std::string& home) {
   Times times;
   std::string failure;
   try {
-    run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), [&] {
+    run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), options.memory_limit, [&] {
       times.add(world);
       frames.add();
     });

@@ -225,7 +225,7 @@ Matcher::Capture Matcher::capture(std::size_t i, std::size_t begin, std::size_t 
   return captures_[i];
 }
 
-std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Steps& steps) {
+std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Patience& steps) {
   if (text.size() > subject.size()) return Matcher::none;
   if (text.empty()) return from;
   const std::size_t last = subject.size() - text.size();

@@ -39,7 +39,7 @@ bool before(lua_State* state, lua_Integer i, lua_Integer j) {
 }
 
 /// Merges the sorted runs [begin, middle) and [middle, end) of the table at `from` into the one at `to`.
-void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end, Steps& steps) {
+void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end, Patience& steps) {
   lua_Integer i = begin, j = middle;
   for (lua_Integer k = begin; k < end; k++) {
     steps.count();
@@ -62,7 +62,7 @@ int sort(lua_State* state) {
     lua_geti(state, list, i);
     lua_rawseti(state, from, i);
   }
-  Steps steps(state);
+  Patience steps;
   for (lua_Integer run = 1; run < count; run *= 2) {
     for (lua_Integer begin = 1; begin <= count; begin += 2 * run)
       merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1), steps);

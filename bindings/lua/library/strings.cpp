@@ -60,7 +60,7 @@ int find(lua_State* state) {
   const std::string_view subject = check_string(state, 1);
   std::string_view pattern = check_string(state, 2);
   std::size_t from = check_start(state, 3, subject.size());
-  Steps steps(state);
+  Patience steps;
   if (from > subject.size()) return luaL_pushfail(state), 1;
   if (place && (lua_toboolean(state, 4) != 0 || pattern.find_first_of("^$*+?.([%-") == pattern.npos)) {
     const std::size_t found = find_text(subject, pattern, from, steps);
@@ -86,7 +86,7 @@ int next_match(lua_State* state) {
   const std::string_view subject = check_string(state, lua_upvalueindex(1));
   const std::string_view pattern = check_string(state, lua_upvalueindex(2));
   const lua_Integer last = lua_tointeger(state, lua_upvalueindex(4));
-  Steps steps(state);
+  Patience steps;
   Matcher matcher(subject, pattern, steps);
   for (auto from = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))); from <= subject.size();
        from++) {
@@ -167,7 +167,7 @@ int gsub(lua_State* state) {
                    replacement, "string/function/table");
   const bool anchored = take_anchor(pattern);
   const lua_Integer most = luaL_optinteger(state, 4, static_cast<lua_Integer>(subject.size()) + 1);
-  Steps steps(state);
+  Patience steps;
   Matcher matcher(subject, pattern, steps);
   luaL_Buffer buffer;
   luaL_buffinit(state, &buffer);
@@ -203,7 +203,7 @@ int repeat(lua_State* state) {
   if (n <= 0 || each == 0) return lua_pushliteral(state, ""), 1;
   const auto count = static_cast<std::size_t>(n);
   require(count <= std::size_t{std::numeric_limits<int>::max()} / each, "resulting string too large");
-  Steps steps(state);
+  Patience steps;
   luaL_Buffer buffer;
   char* to = luaL_buffinitsize(state, &buffer, count * each);
   const auto add = [&to](std::string_view part) { to = std::copy(part.begin(), part.end(), to); };

@@ -30,7 +30,7 @@ int insert(lua_State* state) {
     place = luaL_checkinteger(state, 2);
     luaL_argcheck(state, place >= 1 && place <= end, 2, "position out of bounds");
   }
-  Steps steps(state);
+  Patience steps;
   for (lua_Integer i = end; i > place; i--) {
     steps.count();
     copy(state, list, i - 1, list, i);
@@ -45,7 +45,7 @@ int remove(lua_State* state) {
   lua_Integer place = luaL_optinteger(state, 2, size);
   luaL_argcheck(state, place == size || (place >= 1 && place - 1 <= size), 2, "position out of bounds");
   lua_geti(state, list, place);
-  Steps steps(state);
+  Patience steps;
   for (; place < size; place++) {
     steps.count();
     copy(state, list, place + 1, list, place);
@@ -69,7 +69,7 @@ int move(lua_State* state) {
   luaL_argcheck(state, place <= most - count + 1, 4, "destination wrap around");
   const bool apart = other != list && !lua_rawequal(state, list, other);
   const bool forward = place > last || place <= first || apart;
-  Steps steps(state);
+  Patience steps;
   for (lua_Integer k = 0; k < count; k++) {
     steps.count();
     const lua_Integer i = forward ? k : count - 1 - k;

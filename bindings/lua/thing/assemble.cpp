@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/patience.hpp"
 #include "edit/assemble.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
@@ -112,8 +113,11 @@ int scene_connect_within(lua_State* state) {
   std::vector<ConnectionId> made;
   const std::size_t notices = self.world.notices.size();
   try {
-    for (const auto& [a, b] : pairs_within(self.world, group, distance))
+    Patience patience;
+    for (const auto& [a, b] : pairs_within(self.world, group, distance)) {
       made.push_back(connect(self, {{a, zero3()}, {b, zero3()}}, 4));
+      patience.count(100);
+    }
   } catch (...) {
     for (ConnectionId id : made) remove(self.world, id);
     self.world.notices.resize(notices);

@@ -37,7 +37,7 @@ int guarded(lua_State* state, lua_CFunction function) {
     message = runtime.usage_message = error.what();
   } catch (const StaleHandle& error) {
     message = runtime.stale_message = placed(state, error.what());
-  } catch (const std::bad_alloc&) {
+  } catch (const GivenUp&) { message = why_stopped(state); } catch (const std::bad_alloc&) {
     message = placed(state, "the computer has no memory left for this");
   } catch (const std::exception& error) { message = placed(state, error.what()); }
   lua_pushlstring(state, message.data(), message.size());

@@ -35,7 +35,8 @@ int panic(lua_State* state) {
 
 }  // namespace
 
-Runtime::Runtime(Limits limits, const Opener& opener) : limits_(limits), describe_error_(opener.describe_error) {
+Runtime::Runtime(Limits limits, const Opener& opener)
+    : limits_(limits), describe_error_(opener.describe_error), watch_(limits.bytes) {
   main_ = lua_newstate(allocate, this);
   if (!main_)
     throw UsageError(text("--memory-limit: ", limits.bytes, " bytes are not enough to start Lua; give at least 1 MB"));

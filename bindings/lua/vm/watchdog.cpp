@@ -36,18 +36,11 @@ constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  //
 
 bool time_is_over(const Watch& watch) {
   const std::int64_t deadline = watch.deadline;
-  return deadline != 0 && (processor_ns(watch.thread) >= deadline || scripts_must_end());
+  return deadline != 0 && (processor_ns(watch.thread) >= deadline || watch.full || scripts_must_end());
 }
 
 /// The watch whose script runs on this thread: the handler touches no other.
 thread_local std::atomic<Watch*> watched{nullptr};
-
-std::string why_stopped(lua_State* state) {
-  const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
-  if (scripts_interrupted()) return begin + "the script was interrupted";
-  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit,
-              " s and was stopped (--script-limit)");
-}
 
 void stop_script(lua_State* state, lua_Debug*) {
   if (!Runtime::of(state).watch().over) {  // left over on a coroutine that slept when the time was up
@@ -113,8 +106,11 @@ class Watchdog {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
-      for (Watch* watch : watches_)
-        if (!watch->over && time_is_over(*watch)) send(*watch);
+      for (Watch* watch : watches_) {
+        if (watch->over || watch->deadline == 0) continue;
+        if (watch->memory.exceeded()) watch->full = true;
+        if (time_is_over(*watch)) send(*watch);
+      }
     }
   }
 
@@ -126,16 +122,25 @@ class Watchdog {
 
 }  // namespace
 
-Watch::Watch() { Watchdog::instance().add(this); }
+std::string why_stopped(lua_State* state) {
+  const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
+  if (scripts_interrupted()) return begin + "the script was interrupted";
+  if (Runtime::of(state).watch().full) return begin + MemoryLimit::message();
+  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit,
+              " s and was stopped (--script-limit)");
+}
+
+Watch::Watch(std::size_t bytes) : memory(bytes) { Watchdog::instance().add(this); }
 Watch::~Watch() { Watchdog::instance().remove(this); }
 
 Watch* Watch::enter(lua_State* state, double seconds) {
   Watch* previous = watched.exchange(this);
+  given_up = &over;
   if (depth++ > 0) return previous;
   limit = seconds;
   running = state;
   thread = pthread_self();
-  over = false;
+  over = full = false;
   deadline = seconds > 0 ? processor_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
   return previous;
 }
@@ -147,6 +152,7 @@ void Watch::leave(Watch* previous) {
     over = false;
   }
   watched = previous;
+  given_up = previous ? &previous->over : nullptr;
 }
 
 void Watch::switch_to(lua_State* state) {
@@ -161,11 +167,6 @@ std::int64_t Watch::pause() {
 
 void Watch::resume(std::int64_t left) {
   if (left > 0) deadline = processor_ns() + left;
-}
-
-void Steps::ask() {
-  count_ = 0;
-  if (Runtime::of(state_).watch().over) throw ScriptError(why_stopped(state_));
 }
 
 }  // namespace pantin::lua

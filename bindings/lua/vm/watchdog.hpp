@@ -9,12 +9,17 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include "base/patience.hpp"
+#include "scene/memory.hpp"
 
 namespace pantin::lua {
 
 /// The clock of one runtime.
 struct Watch {
-  Watch();
+  /// `bytes` may come to what the program holds now.
+  explicit Watch(std::size_t bytes);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -32,7 +37,9 @@ struct Watch {
   double limit = 0.0;  ///< [s]
   std::atomic<lua_State*> running{nullptr};
   std::atomic<std::int64_t> deadline{0};  ///< [ns] of the thread's processor time; 0: no call is going on
-  std::atomic<bool> over{false};          ///< the time is up
+  std::atomic<bool> over{false};          ///< the time is up, or the memory
+  std::atomic<bool> full{false};          ///< it is the memory
+  MemoryLimit memory;
   std::atomic<pthread_t> thread{};
   int depth = 0;
 };
@@ -47,22 +54,7 @@ struct Switched {
   lua_State* from;
 };
 
-/// Counts the steps of a loop in C++ that a script entered, where no hook reaches it.
-class Steps {
- public:
-  explicit Steps(lua_State* state) : state_(state) {}
-  /// Throws ScriptError once the script's time is up.
-  void count(std::size_t steps = 1) {
-    count_ += steps;
-    if (count_ >= often) ask();
-  }
-
- private:
-  static constexpr std::size_t often = 4096;
-  void ask();
-
-  lua_State* state_;
-  std::size_t count_ = 0;
-};
+/// Why the script that runs has to end, with its place.
+std::string why_stopped(lua_State* state);
 
 }  // namespace pantin::lua

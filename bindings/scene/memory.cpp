@@ -1,0 +1,33 @@
+#include "scene/memory.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <limits>
+
+#include "base/check.hpp"
+
+namespace pantin {
+
+std::size_t resident_memory() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  if (!file) return 0;
+  unsigned long all = 0, resident = 0;
+  const bool read = std::fscanf(file, "%lu %lu", &all, &resident) == 2;
+  std::fclose(file);
+  return read ? resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+MemoryLimit::MemoryLimit(std::size_t bytes) {
+  const std::size_t now = resident_memory(), most = std::numeric_limits<std::size_t>::max();
+  most_ = bytes > most - now ? most : now + bytes;
+}
+
+void MemoryLimit::check() {
+  constexpr unsigned often = 256;
+  if (++asked_ % often == 0) require(!exceeded(), message());
+}
+
+const char* MemoryLimit::message() { return "the scene takes more memory than it may (--memory-limit)"; }
+
+}  // namespace pantin

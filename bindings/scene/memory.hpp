@@ -1,0 +1,24 @@
+#pragma once
+#include <cstddef>
+
+namespace pantin {
+
+/// [bytes] of memory that this program holds now.
+std::size_t resident_memory();
+
+/// What may come to what the program holds when this is made.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::size_t bytes);
+  bool exceeded() const { return resident_memory() > most_; }
+  /// Throws Error, now and then asked.
+  void check();
+  /// What is told of it.
+  static const char* message();
+
+ private:
+  std::size_t most_;
+  unsigned asked_ = 0;
+};
+
+}  // namespace pantin

@@ -1,0 +1,34 @@
+#pragma once
+// Long loops ask now and then whether whoever waits for them still does.
+#include <atomic>
+#include <cstddef>
+
+#include "base/check.hpp"
+
+namespace pantin {
+
+/// The one who waited waits no more.
+struct GivenUp : Error {
+  GivenUp() : Error("it was given up") {}
+};
+
+/// Set by who waits, of this thread: true once it is given up; null: nobody ever will.
+inline thread_local const std::atomic<bool>* given_up = nullptr;
+
+/// Counts the steps of a loop.
+class Patience {
+ public:
+  /// Throws GivenUp.
+  void count(std::size_t steps = 1) {
+    count_ += steps;
+    if (count_ < often) return;
+    count_ = 0;
+    if (given_up && *given_up) throw GivenUp();
+  }
+
+ private:
+  static constexpr std::size_t often = 4096;
+  std::size_t count_ = 0;
+};
+
+}  // namespace pantin
