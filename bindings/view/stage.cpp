@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <unordered_map>
 
@@ -13,8 +12,6 @@
 namespace pantin {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of a body's shapes.
 Bounds box_of(const World& world, const Body& body) {

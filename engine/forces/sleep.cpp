@@ -45,10 +45,13 @@ double kinetic_of(const World& world, const Thing& t) {
   return t.articulate ? t.articulate->totals.kinetic : kinetic_energy(world.motion[t.slot]);
 }
 
-/// How long its motion is looked at [s]. Where it touches something a step from rest tells that nothing moves it.
+/// For how many steps its motion is looked at. Where it touches something a step from rest tells that nothing moves it.
+double least_steps_of(bool touches) { return touches ? least_steps_in_touch : least_steps; }
+
+/// How long its motion is looked at [s].
 double watch_time(const World& world, const Thing& t, bool touches) {
   const double gravity = norm(world.settings.gravity);
-  const double least = (touches ? least_steps_in_touch : least_steps) * world.settings.step;
+  const double least = least_steps_of(touches) * world.settings.step;
   const double length = t.articulate ? t.articulate->length : gyration(world.motion[t.slot]);
   return gravity > 0.0 ? std::max(least, swing * std::sqrt(length / gravity)) : least;
 }
@@ -108,21 +111,21 @@ bool is_held(World& world, const Island& island) {
 /// Whether its motion has died away, or is so slow that contacts may stop it, at the end of a step.
 bool is_still(World& world, const Island& island) {
   const bool touches = island.tolerance > 0.0;
-  double time = 0.0;
   std::uint32_t steps = ~0u;
   for (const Thing& t : island.things) {
     Rest& r = *t.rest;
     r.peak = std::max(r.peak, kinetic_of(world, t));
     steps = std::min(steps, ++r.steps);
-    time = std::max(time, watch_time(world, t, touches));
   }
-  const bool over = steps * world.settings.step >= time;
+  for (const Thing& t : island.things) t.rest->steps = steps;
+  if (steps < least_steps_of(touches)) return false;
+  double time = 0.0;
+  for (const Thing& t : island.things) time = std::max(time, watch_time(world, t, touches));
+  if (steps * world.settings.step < time) return false;
   bool calm = true, known = true, closed = true, slowly = touches, tied = false;
   double energy = 0.0, last_peaks = 0.0, rests = 0.0;
   for (const Thing& t : island.things) {
     Rest& r = *t.rest;
-    r.steps = steps;
-    if (!over) continue;
     const Still rest = still(world, t, time, island.tolerance);
     calm = calm && r.peak <= rest.energy;
     const double now = kinetic_of(world, t);  // what begins to move has its largest energy now
@@ -136,7 +139,7 @@ bool is_still(World& world, const Island& island) {
     rests += rest.energy;
     r = {false, 0, 0.0, r.peak, rest.speed / time, {}, 0};
   }
-  if (!over || !known || !closed || energy > std::max(most_growth * last_peaks, unseen * rests)) return false;
+  if (!known || !closed || energy > std::max(most_growth * last_peaks, unseen * rests)) return false;
   if (calm && !(touches && tied)) return true;
   return (calm || slowly) && is_held(world, island);
 }
@@ -248,6 +251,7 @@ std::vector<Island> islands_of(World& world, std::vector<Thing>& things) {
 template <class F>
 void each_island(World& world, F&& f) {
   if (!world.contacts.list.empty()) {
+    if (all_asleep(world)) return;
     std::vector<Thing> things;
     for (const Island& island : islands_of(world, things)) f(island);
     return;
@@ -264,7 +268,6 @@ void each_island(World& world, F&& f) {
 }  // namespace
 
 void fall_asleep(World& world) {
-  if (all_asleep(world)) return;
   std::vector<char> falling;
   bool touching = false;
   const std::size_t tied = world.articulates.size();

@@ -146,6 +146,7 @@ void wake_all(World& world) {
 
 void wake_stirred(World& world) {
   Contacts& contacts = world.contacts;
+  if (world.stirred.empty() && contacts.sleepers.empty()) return;
   const std::vector<std::int32_t> islands =
       contacts.sleepers.empty() ? std::vector<std::int32_t>() : woken_islands(world);
   for (const BodyId body : world.stirred) wake_slot(world, body.slot - 1);

@@ -23,21 +23,22 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
-    divide_for_contacts(world);
+    const bool touching = may_touch(world);
+    if (touching) divide_for_contacts(world);
     keep_start(world);
     do {
       const std::uint32_t count = all_asleep(world) ? 0 : stage_count(world);
       for (std::uint32_t stage = 0; stage < count && !misses_accuracy(world); stage++) {
         begin_stage(world, stage);
         phases::half_kick(world);
-        phases::place_contacts(world);
+        if (touching) phases::place_contacts(world);
         phases::drift(world);
-        phases::find_contacts(world);
+        if (touching) phases::find_contacts(world);
         phases::find_pairs(world);
         phases::apply_forces(world);
         phases::half_kick_to_end(world);
         phases::project_velocities(world);
-        phases::meet_contacts(world);
+        if (touching) phases::meet_contacts(world);
       }
     } while (is_to_be_done_again(world));
     phases::break_connections(world);

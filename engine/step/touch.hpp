@@ -1,8 +1,10 @@
 #pragma once
+#include "world/world.hpp"
 
 namespace pantin {
 
-struct World;
+/// Whether something can touch, or could: else what follows, and the phases of contacts, do nothing.
+inline bool may_touch(const World& world) { return !world.shapes.empty() || world.solids || world.touch_space; }
 
 /// Before a step: things that are near each other and fast for their size are moved in up to four sub-steps.
 void divide_for_contacts(World& world);
