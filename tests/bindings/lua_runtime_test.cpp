@@ -67,7 +67,7 @@ TEST_CASE("a script that does not come back is stopped with its line") {
 TEST_CASE("the limit counts a script's own processor time, not that of a busy machine") {
   using namespace std::chrono;
   const std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
-  lua::Watch watch;
+  lua::Watch watch(std::size_t{1} << 30);
   lua::Watch* previous = watch.enter(state.get(), 0.05);
   std::this_thread::sleep_for(milliseconds(150));
   CHECK_FALSE(watch.over);
