@@ -55,7 +55,7 @@ std::size_t Matcher::run(std::size_t s, std::size_t p) {
 
 std::size_t Matcher::rest(std::size_t s, std::size_t p) {
   while (p < pattern_.size()) {
-    steps_.count();
+    loop_.count();
     const char c = at(p), next = at(p + 1);
     if (c == '(') return next == ')' ? open(s, p + 2, Capture::position) : open(s, p + 1, Capture::unclosed);
     if (c == ')') return close(s, p + 1);
@@ -136,7 +136,7 @@ std::size_t Matcher::balanced(std::size_t s, std::size_t p) const {
   const char opening = pattern_[p], closing = pattern_[p + 1];
   if (s >= subject_.size() || subject_[s] != opening) return none;
   for (std::size_t inside = 1; ++s < subject_.size();) {
-    steps_.count();
+    loop_.count();
     if (subject_[s] == closing) {
       if (--inside == 0) return s + 1;
     } else if (subject_[s] == opening) {
@@ -152,7 +152,7 @@ std::size_t Matcher::again(std::size_t s, char digit) const {
   require(i > 0 && i <= count_ && captures_[i - 1].length != Capture::unclosed, "invalid capture index %", digit);
   const Capture& capture = captures_[i - 1];
   if (capture.length == Capture::position || subject_.size() - s < capture.length) return none;
-  steps_.count(capture.length / 16);
+  loop_.count(capture.length / 16);
   return subject_.compare(s, capture.length, subject_, capture.begin, capture.length) == 0 ? s + capture.length : none;
 }
 
@@ -166,7 +166,7 @@ bool Matcher::frontier(std::size_t s, std::size_t set, std::size_t after) const 
 /// Whether the character at s is one of the item [p, after).
 bool Matcher::one(std::size_t s, std::size_t p, std::size_t after) const {
   if (s >= subject_.size()) return false;
-  steps_.count();
+  loop_.count();
   const auto c = static_cast<unsigned char>(subject_[s]);
   switch (pattern_[p]) {
     case '.': return true;
@@ -178,7 +178,7 @@ bool Matcher::one(std::size_t s, std::size_t p, std::size_t after) const {
 
 /// Whether c is in the set [p, after), brackets included.
 bool Matcher::in_set(unsigned char c, std::size_t p, std::size_t after) const {
-  steps_.count((after - p) / 4);
+  loop_.count((after - p) / 4);
   const std::size_t last = after - 1;
   const bool inverted = pattern_[++p] == '^';
   if (inverted) p++;
@@ -214,7 +214,7 @@ std::size_t Matcher::item_end(std::size_t p) const {
     require(p < pattern_.size(), "malformed pattern (missing ']')");
     p += pattern_[p] == '%' && p + 1 < pattern_.size() ? 2u : 1u;
   } while (at(p) != ']');
-  steps_.count((p - begin) / 4);
+  loop_.count((p - begin) / 4);
   return p + 1;
 }
 
@@ -225,7 +225,7 @@ Matcher::Capture Matcher::capture(std::size_t i, std::size_t begin, std::size_t 
   return captures_[i];
 }
 
-std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Patience& steps) {
+std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Interruptible& loop) {
   if (text.size() > subject.size()) return Matcher::none;
   if (text.empty()) return from;
   const std::size_t last = subject.size() - text.size();
@@ -233,7 +233,7 @@ std::size_t find_text(std::string_view subject, std::string_view text, std::size
     const void* found = std::memchr(subject.data() + from, text[0], last - from + 1);
     if (!found) return Matcher::none;
     const auto place = static_cast<std::size_t>(static_cast<const char*>(found) - subject.data());
-    steps.count(1 + (place - from) / 16 + text.size() / 16);
+    loop.count(1 + (place - from) / 16 + text.size() / 16);
     if (std::memcmp(found, text.data(), text.size()) == 0) return place;
     from = place + 1;
   }

@@ -14,8 +14,8 @@ class Matcher {
   static constexpr std::size_t none = std::string_view::npos;
 
   /// Both texts, and the steps that a match is counted in, must outlive it.
-  Matcher(std::string_view subject, std::string_view pattern, Patience& steps)
-      : subject_(subject), pattern_(pattern), steps_(steps) {}
+  Matcher(std::string_view subject, std::string_view pattern, Interruptible& loop)
+      : subject_(subject), pattern_(pattern), loop_(loop) {}
 
   /// End of the match that begins at `from`, or `none`.
   std::size_t match(std::size_t from);
@@ -47,13 +47,13 @@ class Matcher {
   char at(std::size_t p) const { return p < pattern_.size() ? pattern_[p] : '\0'; }
 
   std::string_view subject_, pattern_;
-  Patience& steps_;
+  Interruptible& loop_;
   std::size_t count_ = 0;
   int depth_ = 0;
   std::array<Capture, 32> captures_{};
 };
 
 /// Where `text` is in `subject` at or behind `from`, or `Matcher::none`.
-std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Patience& steps);
+std::size_t find_text(std::string_view subject, std::string_view text, std::size_t from, Interruptible& loop);
 
 }  // namespace pantin::lua

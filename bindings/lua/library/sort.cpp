@@ -39,10 +39,10 @@ bool before(lua_State* state, lua_Integer i, lua_Integer j) {
 }
 
 /// Merges the sorted runs [begin, middle) and [middle, end) of the table at `from` into the one at `to`.
-void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end, Patience& steps) {
+void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end, Interruptible& loop) {
   lua_Integer i = begin, j = middle;
   for (lua_Integer k = begin; k < end; k++) {
-    steps.count();
+    loop.count();
     const bool right = i == middle || (j < end && before(state, j, i));
     lua_rawgeti(state, from, right ? j++ : i++);
     lua_rawseti(state, to, k);
@@ -62,10 +62,10 @@ int sort(lua_State* state) {
     lua_geti(state, list, i);
     lua_rawseti(state, from, i);
   }
-  Patience steps;
+  Interruptible loop;
   for (lua_Integer run = 1; run < count; run *= 2) {
     for (lua_Integer begin = 1; begin <= count; begin += 2 * run)
-      merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1), steps);
+      merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1), loop);
     lua_insert(state, from);  // what was merged is merged next
   }
   for (lua_Integer i = 1; i <= count; i++) {

@@ -60,15 +60,15 @@ int find(lua_State* state) {
   const std::string_view subject = check_string(state, 1);
   std::string_view pattern = check_string(state, 2);
   std::size_t from = check_start(state, 3, subject.size());
-  Patience steps;
+  Interruptible loop;
   if (from > subject.size()) return luaL_pushfail(state), 1;
   if (place && (lua_toboolean(state, 4) != 0 || pattern.find_first_of("^$*+?.([%-") == pattern.npos)) {
-    const std::size_t found = find_text(subject, pattern, from, steps);
+    const std::size_t found = find_text(subject, pattern, from, loop);
     if (found != Matcher::none) return push_found(state, found, found + pattern.size());
     return luaL_pushfail(state), 1;
   }
   const bool anchored = take_anchor(pattern);
-  Matcher matcher(subject, pattern, steps);
+  Matcher matcher(subject, pattern, loop);
   for (; from <= subject.size(); from++) {
     const std::size_t end = matcher.match(from);
     if (end != Matcher::none) {
@@ -86,8 +86,8 @@ int next_match(lua_State* state) {
   const std::string_view subject = check_string(state, lua_upvalueindex(1));
   const std::string_view pattern = check_string(state, lua_upvalueindex(2));
   const lua_Integer last = lua_tointeger(state, lua_upvalueindex(4));
-  Patience steps;
-  Matcher matcher(subject, pattern, steps);
+  Interruptible loop;
+  Matcher matcher(subject, pattern, loop);
   for (auto from = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))); from <= subject.size();
        from++) {
     const std::size_t end = matcher.match(from);
@@ -167,8 +167,8 @@ int gsub(lua_State* state) {
                    replacement, "string/function/table");
   const bool anchored = take_anchor(pattern);
   const lua_Integer most = luaL_optinteger(state, 4, static_cast<lua_Integer>(subject.size()) + 1);
-  Patience steps;
-  Matcher matcher(subject, pattern, steps);
+  Interruptible loop;
+  Matcher matcher(subject, pattern, loop);
   luaL_Buffer buffer;
   luaL_buffinit(state, &buffer);
   std::size_t from = 0, last = Matcher::none;
@@ -203,12 +203,12 @@ int repeat(lua_State* state) {
   if (n <= 0 || each == 0) return lua_pushliteral(state, ""), 1;
   const auto count = static_cast<std::size_t>(n);
   require(count <= std::size_t{std::numeric_limits<int>::max()} / each, "resulting string too large");
-  Patience steps;
+  Interruptible loop;
   luaL_Buffer buffer;
   char* to = luaL_buffinitsize(state, &buffer, count * each);
   const auto add = [&to](std::string_view part) { to = std::copy(part.begin(), part.end(), to); };
   for (std::size_t i = 0; i < count; i++) {
-    steps.count(1 + each / 256);
+    loop.count(1 + each / 256);
     if (i > 0) add(separator);
     add(s);
   }

@@ -30,9 +30,9 @@ int insert(lua_State* state) {
     place = luaL_checkinteger(state, 2);
     luaL_argcheck(state, place >= 1 && place <= end, 2, "position out of bounds");
   }
-  Patience steps;
+  Interruptible loop;
   for (lua_Integer i = end; i > place; i--) {
-    steps.count();
+    loop.count();
     copy(state, list, i - 1, list, i);
   }
   lua_seti(state, list, place);
@@ -45,9 +45,9 @@ int remove(lua_State* state) {
   lua_Integer place = luaL_optinteger(state, 2, size);
   luaL_argcheck(state, place == size || (place >= 1 && place - 1 <= size), 2, "position out of bounds");
   lua_geti(state, list, place);
-  Patience steps;
+  Interruptible loop;
   for (; place < size; place++) {
-    steps.count();
+    loop.count();
     copy(state, list, place + 1, list, place);
   }
   lua_pushnil(state);
@@ -69,9 +69,9 @@ int move(lua_State* state) {
   luaL_argcheck(state, place <= most - count + 1, 4, "destination wrap around");
   const bool apart = other != list && !lua_rawequal(state, list, other);
   const bool forward = place > last || place <= first || apart;
-  Patience steps;
+  Interruptible loop;
   for (lua_Integer k = 0; k < count; k++) {
-    steps.count();
+    loop.count();
     const lua_Integer i = forward ? k : count - 1 - k;
     copy(state, list, first + i, other, place + i);
   }

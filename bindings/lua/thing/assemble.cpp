@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/patience.hpp"
+#include "base/interruptible.hpp"
 #include "edit/assemble.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
@@ -113,10 +113,10 @@ int scene_connect_within(lua_State* state) {
   std::vector<ConnectionId> made;
   const std::size_t notices = self.world.notices.size();
   try {
-    Patience patience;
+    Interruptible loop;
     for (const auto& [a, b] : pairs_within(self.world, group, distance)) {
       made.push_back(connect(self, {{a, zero3()}, {b, zero3()}}, 4));
-      patience.count(100);
+      loop.count(100);
     }
   } catch (...) {
     for (ConnectionId id : made) remove(self.world, id);

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/patience.hpp"
+#include "base/interruptible.hpp"
 #include "scene/memory.hpp"
 
 namespace pantin::lua {

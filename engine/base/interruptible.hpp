@@ -16,7 +16,7 @@ struct GivenUp : Error {
 inline thread_local const std::atomic<bool>* given_up = nullptr;
 
 /// Counts the steps of a loop.
-class Patience {
+class Interruptible {
  public:
   /// Throws GivenUp.
   void count(std::size_t steps = 1) {
