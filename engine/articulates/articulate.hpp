@@ -208,11 +208,12 @@ struct ArticulateState {
   double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
-  TreeCourse course;       // where its tree is, between the moments at which its nodes are told
-  bool by_tree = false;    // it was moved by its tree last, and its velocities are as the rows want them
-  std::uint16_t calm = 0;  // steps since it became too stiff for its tree in which it was not
-  DriftReport report;      // of the last phase
-  NodeTotals totals;       // at the end of the last step
+  TreeCourse course;     // where its tree is, between the moments at which its nodes are told
+  bool by_tree = false;  // it was moved by its tree last, and its velocities are as the rows want them
+  // (stages) since it was too stiff for its tree, that one counted; 0: it is not, or never was
+  std::uint16_t stages_not_stiff = 0;
+  DriftReport report;  // of the last phase
+  NodeTotals totals;   // at the end of the last step
   Rest rest;
 };
 
