@@ -19,7 +19,7 @@ constexpr std::uint16_t stages_until_tree = 16;
 
 /// Whether its rows are those of a tree: hinges and nails.
 bool is_tree_of_hinges(const Articulate& a) {
-  return a.tree && a.all_rigid && !a.plane.flat() && !a.rows.empty() &&
+  return a.loop_free && a.all_rigid && !a.plane.flat() && !a.rows.empty() &&
          std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.lever == 0.0; });
 }
 
@@ -90,7 +90,7 @@ void project_onto_tree(Articulate& a, const DriftSettings& settings, DriftReport
   const Forbidden f = forbidden_of(a);
   if (f.velocity <= 1e-13 * f.fastest) return;
   const double before = kinetic_energy(a);
-  make_consistent_after_edit(a, settings.step, settings.from);
+  make_start_consistent(a, settings.step, settings.from);
   report.projected += kinetic_energy(a) - before;
   if (settings.energy_return) report.returned += return_energy(a, before, settings.gravity);
 }
@@ -218,7 +218,7 @@ void forget_implicit_step(Articulate& a) {
   a.factor_of = FactorOf::none;
   a.weak = a.sums_impulses = a.lowered = false;
   a.smooth = true;
-  a.last_h = a.symmetric_h = a.exerted_time = a.arrived = 0.0;
+  a.last_h = a.symmetric_h = a.exerted_time = a.moved_to = 0.0;
   a.by_tree = true;
   a.stages_not_stiff = 0;
 }
@@ -239,7 +239,7 @@ bool drift_as_tree(Articulate& a, const DriftSettings& settings, double accuracy
   if (!goes_on) {
     if (!may_enter(a, h)) return false;
     if (a.edited) {
-      const EnergyOfConsistency gave = make_consistent_after_edit(a, settings.step, settings.from);
+      const EnergyOfConsistency gave = make_start_consistent(a, settings.step, settings.from);
       report.after_edit += gave.tied;
       report.limit += gave.stopped;
     }
