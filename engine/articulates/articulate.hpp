@@ -64,7 +64,7 @@ struct Coupling {
   std::uint32_t head;
   std::vector<std::uint32_t> rows;  // the head among them
   std::vector<CoupledBlock> blocks;
-  std::vector<HeadBlock> links;        // of each of its other rows
+  std::vector<HeadBlock> head_blocks;  // of each of its other rows
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
 
@@ -85,11 +85,11 @@ struct Gaps {
 
 /// Work [J] of impulses on what is prescribed: on anchors and lengths, and on the turns of angular rows.
 struct ImpulseWork {
-  double anchors = 0.0, turns = 0.0;
-  double all() const { return anchors + turns; }
+  double anchors = 0.0, angular_rows = 0.0;
+  double all() const { return anchors + angular_rows; }
   void operator+=(const ImpulseWork& more) {
     anchors += more.anchors;
-    turns += more.turns;
+    angular_rows += more.angular_rows;
   }
 };
 
@@ -114,7 +114,7 @@ struct DriftReport {
   double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
     work += done.anchors * sign;
-    motor += done.turns * sign;
+    motor += done.angular_rows * sign;
   }
 };
 
@@ -181,7 +181,7 @@ struct ArticulateState {
   Vec3 angular_at_distance =
       zero3();            // [kg m²/s] by forces at a distance, which the end of the full sub-step gives back
   Gaps gaps;              // at the start of the next step
-  double residual = 0.0;  // [m] largest of the rigid rows where the solver placed them last
+  double residual = 0.0;  // [m] largest |ρ| of rigid rows where the solver placed them last
   double last_h = 0.0;    // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
@@ -196,7 +196,7 @@ struct ArticulateState {
   bool edited = true;            // new: velocities are still to be made consistent
   bool torn = false;             // by an edit, and still open
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;          // (0 … 1) of the step, up to which a fallback step has already moved
+  double moved_to = 0.0;         // (0 … 1) of the step, up to which a fallback step has already moved
   bool smooth = true;            // no part of the full sub-step was halved or a fallback step
   bool sums_impulses =
       false;  // `exerted` is summed up: the full sub-step has more than one part, or something in it may stop
@@ -208,11 +208,12 @@ struct ArticulateState {
   double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
-  TreeCourse course;       // where its tree is, between the moments at which its nodes are told
-  bool by_tree = false;    // it was moved by its tree last, and its velocities are as the rows want them
-  std::uint16_t calm = 0;  // steps since it became too stiff for its tree in which it was not
-  DriftReport report;      // of the last phase
-  NodeTotals totals;       // at the end of the last step
+  TreeCourse course;     // where its tree is, between the moments at which its nodes are told
+  bool by_tree = false;  // it was moved by its tree last, and its velocities are as the rows want them
+  // (stages) since it was too stiff for its tree, that one counted; 0: it is not, or never was
+  std::uint16_t stages_not_stiff = 0;
+  DriftReport report;  // of the last phase
+  NodeTotals totals;   // at the end of the last step
   Rest rest;
 };
 
@@ -242,7 +243,7 @@ struct Articulate : ArticulateState {
   double total_mass = 0.0;  // [kg]
   bool all_rigid = true;
   bool angular = false;          // has angular rows
-  bool tree = false;             // its rows make no loop: all are independent
+  bool loop_free = false;        // its rows make no loop: all are independent
   bool soft_constraint = false;  // has a soft row of a constraint, as a follow: not of a law
   bool breakable = false;        // has constraints that may break
   bool nonconservative = false;  // has rows that take energy or give it

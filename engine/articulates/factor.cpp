@@ -56,12 +56,12 @@ bool Factor::eliminate_column(std::uint32_t k, const std::uint32_t*& to, double 
   for (std::uint32_t i = 0; i < count; i++) scratch[i] = lower[begin + i] * pivot;
   for (std::uint32_t i = 0; i < count; i++)
     for (std::uint32_t j = 0; j <= i; j++) {
-      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_first);
+      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_fill_in);
       if (t & on_diagonal) {
         diagonal[block] -= scratch[i] * upper[begin + j];
         continue;
       }
-      if (t & is_first) lower[block] = upper[block] = zero33();
+      if (t & is_fill_in) lower[block] = upper[block] = zero33();
       lower[block] -= scratch[i] * upper[begin + j];
       if (!symmetric) upper[block] -= scratch[j] * upper[begin + i];
     }

@@ -20,8 +20,8 @@ struct Factor {
   std::vector<Mat3> scratch;          // (tallest column)
 
   static constexpr std::uint32_t on_diagonal = 0x80000000u,
-                                 is_first = 0x40000000u;  // flags of `target`; fill-in: the block is zeroed first
-  static constexpr double weak = 1e-4;                    // of the diagonal
+                                 is_fill_in = 0x40000000u;  // flags of `target`; fill-in: the block is zeroed first
+  static constexpr double weak = 1e-4;                      // of the diagonal
 
   /// Index of the block (row, column), row > column; it must be in the pattern.
   std::uint32_t block(std::uint32_t row, std::uint32_t column) const;

@@ -21,10 +21,10 @@ struct alignas(64) RowEnds {
 /// Four nodes. Those that do not turn count as turning ones without arms.
 struct alignas(64) NodeBatch {
   // of the step being solved
-  Vec3x4 a;                // unknown: the Cayley vector
-  Vec3x4 a_saved, change;  // where a line search starts, and its direction
-  Vec3x4 da;               // correction by the node's own residual
-  Lanes c;                 // 1/(1 + a·a/4)
+  Vec3x4 a;            // unknown: the Cayley vector
+  Vec3x4 a_saved, da;  // where a line search starts, and its direction
+  Vec3x4 own_da;       // correction by the node's own residual
+  Lanes c;             // 1/(1 + a·a/4)
   Vec3x4 x1, row_force;
   Vec3x4 L1;      // R1 P1
   Vec3x4 E, sum;  // residual of the rotation, Π + L1

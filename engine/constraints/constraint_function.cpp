@@ -19,9 +19,9 @@ Hold hold(const Condition& c, const ConstraintFunction& r, double along, double 
     if (along * kappa > r.above_low) return {true, r.above_low, 0.0};
     return {false, 0.0, 0.0};
   }
-  const double wanted = along - r.above_low / kappa;
-  if (wanted < c.lower) return {false, 0.0, c.lower};
-  if (wanted > c.upper) return {false, 0.0, c.upper};
+  const double closing_force = along - r.above_low / kappa;
+  if (closing_force < c.lower) return {false, 0.0, c.lower};
+  if (closing_force > c.upper) return {false, 0.0, c.upper};
   return {true, r.above_low, 0.0};
 }
 

@@ -27,6 +27,8 @@ struct alignas(64) Row {
   const RowRule* rule = &rigid_row;
   double lever = 0.0;  // [m] of an angular row; 0: ties points
   Vec3 f = zero3();
+  // [m] ρ in Newton's iteration, of soft constraints [N]; [m] the gap in a fallback step; [m/s] the forbidden velocity in a
+  // projection
   Vec3 residual = zero3();
   Vec3 d1 = zero3();                // [m] first point less second
   Vec3 offset = zero3();            // [m] gap that cannot be closed

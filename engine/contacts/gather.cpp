@@ -81,7 +81,7 @@ struct Builder {
       load(a, model, settings.gravity);
     }
     for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
-    find_forbidden(a, settings.step, settings.at, settings.wanted_at);
+    place_velocity_constraints(a, settings.step, settings.at, settings.wanted_at);
     std::vector<std::int32_t> places;
     to.first_nodes.push_back(static_cast<std::uint32_t>(to.things.size()));
     for (const Node& n : a.nodes) places.push_back(add(to, n.is_body ? n.slot : point_thing(n.slot)));

@@ -47,7 +47,7 @@ std::vector<WorkOnThing> answer_where_nothing_touches(Model& model, const Articu
 ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& island) {
   ImpulseWork work;
   for (const IslandTie& t : island.problem.ties)
-    (t.lever > 0.0 ? work.turns : work.anchors) += dot(t.kept * t.impulse, t.wanted);
+    (t.lever > 0.0 ? work.angular_rows : work.anchors) += dot(t.kept * t.impulse, t.wanted);
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const IslandScalar& s = island.problem.scalars[k];
     add_work(work, articulates, island.scalars[k], s.impulse, s.u - s.bias);

@@ -42,7 +42,7 @@ void begin_answers_now(Articulate& a, Model& model, const TouchSettings& setting
 std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings) {
   if (std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; })) return {};
   begin_answers_now(a, model, settings);
-  drive_as_now(a);
+  keep_driven_velocities(a);
   drop_factor(a, FactorOf::projection);
   std::vector<Vec3> velocities;
   for (const Condition& c : a.conditions) velocities.push_back(c.wanted);
@@ -64,7 +64,7 @@ ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& set
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse,
               double velocity) {
   const double by = std::clamp(velocity, std::min(0.0, s.row.wanted), std::max(0.0, s.row.wanted));
-  (s.row.is_angular(*articulates[s.articulate]) ? work.turns : work.anchors) += impulse * by;
+  (s.row.is_angular(*articulates[s.articulate]) ? work.angular_rows : work.anchors) += impulse * by;
 }
 
 double slow_of(const TouchSettings& settings, const ContactIsland& island) {

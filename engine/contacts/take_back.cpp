@@ -108,7 +108,7 @@ class TakeBack {
     for (std::size_t k = 0; k < island_.held.size();) {
       const std::uint32_t number = island_.held[k].articulate;
       Articulate& a = *articulates_[number];
-      find_forbidden(a, settings_.step, settings_.at, settings_.wanted_at);
+      place_velocity_constraints(a, settings_.step, settings_.at, settings_.wanted_at);
       const std::vector<ScalarRow> now = scalar_rows(a);
       for (; k < island_.held.size() && island_.held[k].articulate == number; k++) {
         const TouchScalar& then = island_.held[k];
@@ -185,7 +185,7 @@ void take_back(TouchSpace& space, Workers& workers, Model& model, const Articula
     const std::span of_island = std::span(now).subspan(island.first_placed, island.placed.size());
     report.work = TakeBack(island, of_island, space, model, articulates, settings).run() + island.answered.all();
     report.ties.anchors -= island.answered.anchors;
-    report.ties.turns -= island.answered.turns;
+    report.ties.angular_rows -= island.answered.angular_rows;
     heat.add(report.work);
   });
   collect_heat(contacts, islands);

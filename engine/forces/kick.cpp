@@ -164,7 +164,7 @@ void post_forbidden(World& world, double joules) {
 void post_tied(World& world, const TiedWork& work) {
   post_nonconservative(world, {work.damper, work.rest});
   post(world, Source::hand, work.rows.anchors);
-  post(world, Source::motor, work.rows.turns);
+  post(world, Source::motor, work.rows.angular_rows);
 }
 
 void kick(World& world, double half) {

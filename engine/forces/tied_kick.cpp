@@ -40,12 +40,12 @@ TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, d
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
     load(*a_, world, world.settings.gravity);
-    make_consistent_after_edit(*a_, world.settings.step, world.stage.from);
+    make_start_consistent(*a_, world.settings.step, world.stage.from);
   } else if (!side.drifted) {
     for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }
   ties_ = forbids(*a_);
-  if (!a_->tree && !world.plane.flat()) epsilon_ = redundant;
+  if (!a_->loop_free && !world.plane.flat()) epsilon_ = redundant;
 }
 
 TiedKick::~TiedKick() = default;
@@ -176,7 +176,7 @@ double TiedKick::fastest_damping() {
   while (all.size() < space.directions.size()) {
     all.push_back(forces_of_laws(space.directions.back()));
     space.add_work(all);
-    const Eigen::MatrixXd working = 0.5 * (space.work + space.work.transpose());
+    const Eigen::MatrixXd working = 0.5 * (space.galerkin + space.galerkin.transpose());
     fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
     if (all.size() == enough) break;
     Motions next = allowed(all.back());
@@ -264,13 +264,13 @@ void TiedKick::solve() {
     all.push_back(forces_of_laws_and_soft_rows(space.directions.back()));
     space.add_work(all);
     const auto n = static_cast<Eigen::Index>(space.directions.size());
-    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.galerkin;
     y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
     if (space.directions.size() == most_directions) break;
     Motions next = allowed(all.back());
     const double more = space.add_direction(std::move(next), asked_, again);
     if (n == 1) {
-      const double reach = std::fabs(factor) * std::sqrt(space.work(0, 0) * space.work(0, 0) + more * more);
+      const double reach = std::fabs(factor) * std::sqrt(space.galerkin(0, 0) * space.galerkin(0, 0) + more * more);
       tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
     }
     if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;
@@ -385,7 +385,7 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
   for (std::size_t s = 0; s < sites.size(); s++) work.rest += dot(spared[s], velocity_at(mean, sites[s])) * dt_;
   for (std::size_t k = 0; k < wanted_.size(); k++) {
     const Condition& c = a_->conditions[k];
-    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.anchors) += dot(borne_[c.row], wanted_[k]);
+    (row(*a_, c).lever > 0.0 ? work.rows.angular_rows : work.rows.anchors) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
   if (damps) work.damper = by_laws - work.rest;

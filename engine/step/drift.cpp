@@ -288,12 +288,12 @@ void drift_by_midpoint(World& world) {
                      "the turning of " + describe(world, world.bodies.id_at(static_cast<std::uint32_t>(slot))));
   const double tree = tree_accuracy(world);
   const std::vector<char> acted_on = tree > 0.0 ? articulates_acted_on(world) : std::vector<char>();
-  while (tree > 0.0 && world.tree_works.size() < static_cast<std::size_t>(world.workers->count()))
-    world.tree_works.push_back(std::make_unique<TreeWork>());
+  while (tree > 0.0 && world.tree_workspaces.size() < static_cast<std::size_t>(world.workers->count()))
+    world.tree_workspaces.push_back(std::make_unique<TreeWorkspace>());
   drift_articulates(world, [&](Articulate& articulate, int worker) {
     const auto w = static_cast<std::size_t>(worker);
     if (tree > 0.0 && (acted_on.empty() || !acted_on[index_of(world, articulate)]) &&
-        drift_as_tree(articulate, settings, tree, *world.tree_works[w], articulate.report))
+        drift_as_tree(articulate, settings, tree, *world.tree_workspaces[w], articulate.report))
       return;
     articulate.by_tree = false;
     if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);

@@ -93,7 +93,7 @@ void make_edited_consistent(World& world) {
   for (const auto& articulate : world.articulates) {
     if (!articulate->edited || articulate->rest.asleep) continue;
     load(*articulate, world, world.settings.gravity);
-    const EnergyOfConsistency gave = make_consistent_after_edit(*articulate, world.settings.step, 0.0);
+    const EnergyOfConsistency gave = make_start_consistent(*articulate, world.settings.step, 0.0);
     post(world, Source::edit, gave.tied);
     post(world, Source::limit, gave.stopped);
     for (const Node& n : articulate->nodes) store(n, world);

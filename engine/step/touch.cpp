@@ -96,7 +96,7 @@ std::vector<BodyLoad> kicks_of(const World& world) {
 
 void count(World& world, const TouchReport& report) {
   post(world, Source::hand, report.ties.anchors);
-  post(world, Source::motor, report.ties.turns);
+  post(world, Source::motor, report.ties.angular_rows);
   world.stats.contact_iterations += report.iterations;
   world.stats.unsolved_islands += report.unsolved;
 }

@@ -7,12 +7,12 @@
 
 namespace pantin::dop853 {
 
-inline constexpr std::size_t stages = 12, all_stages = 16, parts = 7;
+inline constexpr std::size_t stages = 12, all_stages = 16;
 
-using Row = std::array<double, all_stages>;
+using RowCoefficients = std::array<double, all_stages>;
 
 /// Stage s is at the state y + h Σ_j a[s][j] k_j; that of number 12 is the end of the step.
-inline constexpr std::array<Row, all_stages> a = {{
+inline constexpr std::array<RowCoefficients, all_stages> a = {{
     {{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
     {{5.26001519587677318785587544488e-2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
     {{1.97250569845378994544595329183e-2, 5.91751709536136983633785987549e-2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -58,7 +58,7 @@ inline constexpr std::array<Row, all_stages> a = {{
 }};
 
 /// Estimates of the error over h, of orders 5 and 3.
-inline constexpr std::array<Row, 2> error = {
+inline constexpr std::array<RowCoefficients, 2> error = {
     {{{0.1312004499419488073250102996e-1, 0.0, 0.0, 0.0, 0.0, -0.1225156446376204440720569753e1,
        -0.4957589496572501915214079952, 0.1664377182454986536961530415e1, -0.3503288487499736816886487290,
        0.3341791187130174790297318841, 0.8192320648511571246570742613e-1, -0.2235530786388629525884427845e-1, 0.0, 0.0,
@@ -69,8 +69,8 @@ inline constexpr std::array<Row, 2> error = {
        2.01365400804030348374776537501e-1, 4.47106157277725905176885569043e-2 - 0.220588235294117647058823529412e-1,
        0.0, 0.0, 0.0, 0.0}}}};
 
-/// The last four parts of the polynomial over h.
-inline constexpr std::array<Row, 4> dense = {{
+/// The last four coefficients of the polynomial over h.
+inline constexpr std::array<RowCoefficients, 4> dense = {{
     {{-0.84289382761090128651353491142e1, 0.0, 0.0, 0.0, 0.0, 0.56671495351937776962531783590,
       -0.30689499459498916912797304727e1, 0.23846676565120698287728149680e1, 0.21170345824450282767155149946e1,
       -0.87139158377797299206789907490, 0.22404374302607882758541771650e1, 0.63157877876946881815570249290,

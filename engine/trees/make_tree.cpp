@@ -46,12 +46,12 @@ Graph graph_of(std::size_t nodes, std::span<const TreeHinge> hinges, bool anchor
 
 /// Breadth first from a vertex, or from the two of a hinge: who comes in which order, and from whom.
 struct Walk {
-  std::vector<std::int32_t> order, from;
+  std::vector<std::int32_t> order, parent;
 };
 
 Walk walk(const Graph& graph, std::span<const std::int32_t> starts) {
   Walk w;
-  w.from.assign(graph.size(), -1);
+  w.parent.assign(graph.size(), -1);
   w.order.reserve(graph.size());
   std::vector<char> seen(graph.size(), 0);
   for (std::int32_t start : starts) {
@@ -63,7 +63,7 @@ Walk walk(const Graph& graph, std::span<const std::int32_t> starts) {
       char& mark = seen[static_cast<std::size_t>(next.vertex)];
       if (mark) continue;
       mark = 1;
-      w.from[static_cast<std::size_t>(next.vertex)] = w.order[i];
+      w.parent[static_cast<std::size_t>(next.vertex)] = w.order[i];
       w.order.push_back(next.vertex);
     }
   return w;
@@ -75,18 +75,18 @@ std::array<std::int32_t, 2> middle_of(const Graph& graph) {
   const std::int32_t end = walk(graph, {&any, 1}).order.back();
   const Walk back = walk(graph, {&end, 1});
   std::vector<std::int32_t> path;
-  for (std::int32_t v = back.order.back(); v >= 0; v = back.from[static_cast<std::size_t>(v)]) path.push_back(v);
+  for (std::int32_t v = back.order.back(); v >= 0; v = back.parent[static_cast<std::size_t>(v)]) path.push_back(v);
   const std::size_t middle = (path.size() - 1) / 2;
   return {path[middle], path[middle + 1]};
 }
 
 /// How many hinges are outside of each vertex, on the longest way.
 std::vector<int> heights(const Walk& inwards) {
-  std::vector<int> height(inwards.from.size(), 0);
+  std::vector<int> height(inwards.parent.size(), 0);
   for (std::size_t i = inwards.order.size(); i-- > 0;) {
     const auto v = static_cast<std::size_t>(inwards.order[i]);
-    if (inwards.from[v] < 0) continue;
-    int& h = height[static_cast<std::size_t>(inwards.from[v])];
+    if (inwards.parent[v] < 0) continue;
+    int& h = height[static_cast<std::size_t>(inwards.parent[v])];
     h = std::max(h, height[v] + 1);
   }
   return height;
@@ -104,7 +104,7 @@ void set_constants(Tree& tree, std::span<const TreeNode> nodes) {
     const std::size_t lane = tree.slots[i] % batch_size;
     const Vec3 I = nodes[i].inertia;
     set_lane(b.inverse_inertia, lane, nodes[i].inverse_inertia);
-    set_lane(b.gyration, lane, vec(I[1] - I[2], I[2] - I[0], I[0] - I[1]));
+    set_lane(b.inertia_differences, lane, vec(I[1] - I[2], I[2] - I[0], I[0] - I[1]));
     b.inverse_mass[lane] = 1.0 / nodes[i].mass;
     tree.masses.push_back(nodes[i].mass);
     tree.extents.push_back(nodes[i].extent);
@@ -131,7 +131,7 @@ Elimination find_elimination(std::size_t nodes, std::span<const TreeHinge> hinge
   e.middle = middle_of(e.graph);
   const Walk inwards = walk(e.graph, e.middle);
   e.height = heights(inwards);
-  e.inward = inwards.from;
+  e.inward = inwards.parent;
   e.inward[static_cast<std::size_t>(e.middle[0])] = e.middle[1];
   e.inward[static_cast<std::size_t>(e.middle[1])] = e.middle[0];
   return e;
@@ -155,10 +155,10 @@ void set_pairs(Tree& tree, const Elimination& e) {
     tree.slots[static_cast<std::size_t>(order[i])] =
         static_cast<std::uint32_t>(2 * tree.pairs.size() - (second ? 1 : 2));
   }
-  tree.rigid = static_cast<std::uint32_t>(2 * tree.pairs.size());
-  if (tree.anchored) tree.slots.back() = tree.rigid;
+  tree.world_slot = static_cast<std::uint32_t>(2 * tree.pairs.size());
+  if (tree.anchored) tree.slots.back() = tree.world_slot;
   for (Tree::Pair& p : tree.pairs)  // an empty slot has the world on it, or is no branch
-    p.outer[0] = p.outer[1] = p.kind == Tree::Kind::branch ? Tree::none : tree.rigid;
+    p.outer[0] = p.outer[1] = p.kind == Tree::Kind::branch ? Tree::none : tree.world_slot;
 }
 
 /// Arms of a node: `in` to where it leads inwards, `out` to all others.
@@ -190,20 +190,20 @@ void set_arms(Tree& tree, const Elimination& e, std::span<const TreeNode> nodes,
   }
 }
 
-void set_steps(Tree& tree, const Graph& graph, std::span<const TreeHinge> hinges) {
+void set_placements(Tree& tree, const Graph& graph, std::span<const TreeHinge> hinges) {
   const auto world = static_cast<std::int32_t>(tree.nodes), start = tree.anchored ? world : 0;
   const Walk w = walk(graph, {&start, 1});
-  tree.steps.reserve(graph.size());
-  for (std::int32_t to : w.order) {
-    const std::int32_t from = w.from[static_cast<std::size_t>(to)];
-    if (from < 0) continue;
-    for (const Neighbour& next : graph[static_cast<std::size_t>(to)]) {
-      if (next.vertex != from) continue;
+  tree.placements.reserve(graph.size());
+  for (std::int32_t child : w.order) {
+    const std::int32_t parent = w.parent[static_cast<std::size_t>(child)];
+    if (parent < 0) continue;
+    for (const Neighbour& next : graph[static_cast<std::size_t>(child)]) {
+      if (next.vertex != parent) continue;
       const TreeHinge& hinge = hinges[next.hinge];
-      const bool from_world = from == world;
-      tree.steps.push_back({from_world ? -1 : from, to, tree.slots[static_cast<std::size_t>(from)],
-                            tree.slots[static_cast<std::size_t>(to)], next.hinge,
-                            from_world ? zero3() : arm_at(hinge, from), arm_at(hinge, to)});
+      const bool from_world = parent == world;
+      tree.placements.push_back({from_world ? -1 : parent, child, tree.slots[static_cast<std::size_t>(parent)],
+                                 tree.slots[static_cast<std::size_t>(child)], next.hinge,
+                                 from_world ? zero3() : arm_at(hinge, parent), arm_at(hinge, child)});
     }
   }
 }
@@ -219,9 +219,9 @@ Tree make_tree(std::span<const TreeNode> nodes, std::span<const TreeHinge> hinge
   set_constants(tree, nodes);
   for (std::int32_t node = 0; node < static_cast<std::int32_t>(nodes.size()); node++)
     set_arms(tree, e, nodes, hinges, node);
-  for (Tree::Pair& p : tree.pairs) p.alike = p.outer[0] % 2 == 0 && p.outer[1] == p.outer[0] + 1;
+  for (Tree::Pair& p : tree.pairs) p.outer_is_pair = p.outer[0] % 2 == 0 && p.outer[1] == p.outer[0] + 1;
   for (const std::size_t k : {0u, 1u}) tree.middle[k] = tree.slots[static_cast<std::size_t>(e.middle[k])];
-  set_steps(tree, e.graph, hinges);
+  set_placements(tree, e.graph, hinges);
   return tree;
 }
 

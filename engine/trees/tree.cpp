@@ -9,21 +9,21 @@ namespace pantin {
 
 namespace {
 
-using Symmetric4 = TreeWork::Symmetric4;
-using Two = TreeWork::Two;
-using Outside = TreeWork::Outside;
-using Joint = TreeWork::Joint;
+using Symmetric4 = TreeWorkspace::Symmetric4;
+using Two = TreeWorkspace::Two;
+using Outside = TreeWorkspace::Outside;
+using Joint = TreeWorkspace::Joint;
 
 /// K = 1/m - r^ W r^
-[[gnu::always_inline]] inline Symmetric4 yielding(const Symmetric4& W, const Vec3x4& r, Lanes inverse_mass) {
+[[gnu::always_inline]] inline Symmetric4 point_mobility(const Symmetric4& W, const Vec3x4& r, Lanes inverse_mass) {
   const Vec3x4 a0 = cross({W.xx, W.xy, W.xz}, r), a1 = cross({W.xy, W.yy, W.yz}, r), a2 = cross({W.xz, W.yz, W.zz}, r);
   return {inverse_mass - (r.y * a2.x - r.z * a1.x), r.z * a1.y - r.y * a2.y, r.z * a1.z - r.y * a2.z,
           inverse_mass - (r.z * a0.y - r.x * a2.y), r.x * a2.z - r.z * a0.z, inverse_mass - (r.x * a1.z - r.y * a0.z)};
 }
 
 /// K = 1/m - r^ W s^, by rows
-[[gnu::always_inline]] inline void yielding_across(const Symmetric4& W, const Vec3x4& r, const Vec3x4& s,
-                                                   Lanes inverse_mass, Lanes* k) {
+[[gnu::always_inline]] inline void cross_mobility(const Symmetric4& W, const Vec3x4& r, const Vec3x4& s,
+                                                  Lanes inverse_mass, Lanes* k) {
   const Vec3x4 a0 = cross({W.xx, W.xy, W.xz}, s), a1 = cross({W.xy, W.yy, W.yz}, s), a2 = cross({W.xz, W.yz, W.zz}, s);
   k[0] = inverse_mass - (r.y * a2.x - r.z * a1.x);
   k[1] = r.z * a1.y - r.y * a2.y;
@@ -52,7 +52,8 @@ using Joint = TreeWork::Joint;
 }
 
 /// What four nodes do without hinges, and how their hinges' points yield.
-void begin(const Tree::Batch& c, const Vec3x4& gravity, const Turning4& y, Turning4& rate, TreeWork::Batch& n) {
+void find_free_accelerations(const Tree::Batch& c, const Vec3x4& gravity, const Rotation4& y, Rotation4& rate,
+                             TreeWorkspace::Batch& n) {
   const Mat3x4 R = rotation(y.q);
   const Vec3x4 &w = y.w, J = c.inverse_inertia;
   const Vec3x4 u = R[0] * J.x, v = R[1] * J.y, t = R[2] * J.z;
@@ -60,24 +61,24 @@ void begin(const Tree::Batch& c, const Vec3x4& gravity, const Turning4& y, Turni
                         u.x * R[0].z + v.x * R[1].z + t.x * R[2].z, u.y * R[0].y + v.y * R[1].y + t.y * R[2].y,
                         u.y * R[0].z + v.y * R[1].z + t.y * R[2].z, u.z * R[0].z + v.z * R[1].z + t.z * R[2].z};
   const Vec3x4 O = transposed_times(R, w);
-  const Vec3x4 angular =
-      u * (c.gyration.x * O.y * O.z) + v * (c.gyration.y * O.z * O.x) + t * (c.gyration.z * O.x * O.y);
+  const Vec3x4 alpha = u * (c.inertia_differences.x * O.y * O.z) + v * (c.inertia_differences.y * O.z * O.x) +
+                       t * (c.inertia_differences.z * O.x * O.y);
   const Vec3x4 r_in = R * c.in, r_out = R * c.out;
   // α x r + ω x (ω x r) as a matrix
   const Lanes xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z, xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;
-  const Mat3x4 turning = {{{-(yy + zz), xy + angular.z, zx - angular.y},
-                           {xy - angular.z, -(zz + xx), yz + angular.x},
-                           {zx + angular.y, yz - angular.x, -(xx + yy)}}};
+  const Mat3x4 turning = {{{-(yy + zz), xy + alpha.z, zx - alpha.y},
+                           {xy - alpha.z, -(zz + xx), yz + alpha.x},
+                           {zx + alpha.y, yz - alpha.x, -(xx + yy)}}};
   n.a_in = gravity + turning * r_in;
   n.a_out = gravity + turning * r_out;
   n.R = R;
   n.r_in = r_in;
   n.r_out = r_out;
-  n.angular = angular;
+  n.alpha = alpha;
   n.W = W;
-  n.K_in = yielding(W, r_in, c.inverse_mass);
-  n.K_out = yielding(W, r_out, c.inverse_mass);
-  yielding_across(W, r_out, r_in, c.inverse_mass, n.K_cross);
+  n.K_in = point_mobility(W, r_in, c.inverse_mass);
+  n.K_out = point_mobility(W, r_out, c.inverse_mass);
+  cross_mobility(W, r_out, r_in, c.inverse_mass, n.K_cross);
   const Quatx4& q = y.q;
   rate.q = {(w.x * q.x + w.y * q.y + w.z * q.z) * -0.5, (w.x * q.w + w.y * q.z - w.z * q.y) * 0.5,
             (w.y * q.w + w.z * q.x - w.x * q.z) * 0.5, (w.z * q.w + w.x * q.y - w.y * q.x) * 0.5};
@@ -93,7 +94,7 @@ void set_half(Lanes& of, std::size_t pair, Two two) {
   std::memcpy(reinterpret_cast<char*>(&of) + sizeof(Two) * (pair % 2), &two, sizeof(Two));
 }
 
-using Vector2 = TreeWork::Vector2;
+using Vector2 = TreeWorkspace::Vector2;
 Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vector2 operator*(const Vector2& a, Two s) { return {a.x * s, a.y * s, a.z * s}; }
 Vector2 half(const Vec3x4& v, std::size_t pair) { return {half(v.x, pair), half(v.y, pair), half(v.z, pair)}; }
@@ -105,9 +106,9 @@ Vector2 times(const Two* s, const Vector2& v) {
 }
 
 /// What is outside of the outer hinges of a pair of links.
-Outside outside_of(const TreeWork& work, const Tree::Pair& pair) {
-  const Outside &first = work.outside[pair.outer[0] / 2], &second = work.outside[pair.outer[1] / 2];
-  if (pair.alike) return first;
+Outside outside_of(const TreeWorkspace& workspace, const Tree::Pair& pair) {
+  const Outside &first = workspace.outside[pair.outer[0] / 2], &second = workspace.outside[pair.outer[1] / 2];
+  if (pair.outer_is_pair) return first;
   const std::size_t a = pair.outer[0] % 2, b = pair.outer[1] % 2;
   Outside o;
   for (std::size_t k = 0; k < 6; k++) o.C[k] = Two{first.C[k][a], second.C[k][b]};
@@ -115,8 +116,8 @@ Outside outside_of(const TreeWork& work, const Tree::Pair& pair) {
   return o;
 }
 
-/// Ends the outer hinges of a pair of links, and tells what is outside of their inner ones.
-void end_links(const TreeWork::Batch& n, std::size_t p, const Outside& outer, Joint& j, Outside& o) {
+/// Eliminates the outer hinges of a pair of links, and tells what is outside of their inner ones.
+void eliminate_links(const TreeWorkspace::Batch& n, std::size_t p, const Outside& outer, Joint& j, Outside& o) {
   const Two xx = half(n.K_out.xx, p) + outer.C[0], xy = half(n.K_out.xy, p) + outer.C[1],
             xz = half(n.K_out.xz, p) + outer.C[2], yy = half(n.K_out.yy, p) + outer.C[3],
             yz = half(n.K_out.yz, p) + outer.C[4], zz = half(n.K_out.zz, p) + outer.C[5];
@@ -142,7 +143,7 @@ void end_links(const TreeWork::Batch& n, std::size_t p, const Outside& outer, Jo
   j = {c0 * d, c1 * d, c2 * d, s * d};
 }
 
-void end_leaves(const TreeWork::Batch& n, std::size_t p, Outside& o) {
+void eliminate_leaves(const TreeWorkspace::Batch& n, std::size_t p, Outside& o) {
   const Symmetric4& K = n.K_in;
   const Lanes* all[6] = {&K.xx, &K.xy, &K.xz, &K.yy, &K.yz, &K.zz};
   for (std::size_t k = 0; k < 6; k++) o.C[k] = half(*all[k], p);
@@ -172,37 +173,37 @@ Mat3 hat_times(Vec3 a, const Mat3& b) { return {{cross(a, b[0]), cross(a, b[1]),
 /// By how much a force and a torque at the centre of a node move it and turn it, and what it does without any.
 struct Mobility {
   Mat3 moves, couples, turns;  // a = moves f + couples τ, α = couples' f + turns τ
-  Vec3 linear, angular;        // [m/s²], [rad/s²]
+  Vec3 acceleration, alpha;    // [m/s²], [rad/s²]
 };
 
 /// A branch with all that hangs on it.
-void end_branch(const Tree& tree, TreeWork& work, const Tree::Branch& branch, Vec3 gravity, Vec3 w) {
-  const TreeWork::Batch& n = work.batches[branch.slot / batch_size];
+void eliminate_branch(const Tree& tree, TreeWorkspace& workspace, const Tree::Branch& branch, Vec3 gravity, Vec3 w) {
+  const TreeWorkspace::Batch& n = workspace.batches[branch.slot / batch_size];
   const std::size_t lane = branch.slot % batch_size;
   const Mat3 R = at(n.R, lane);
   Mobility m{identity33() * tree.batches[branch.slot / batch_size].inverse_mass[lane], zero33(), at(n.W, lane), gravity,
-             lane_of(n.angular, lane)};
+             lane_of(n.alpha, lane)};
   for (std::uint32_t k = branch.first; k < branch.last; k++) {
-    const Outside& o = work.outside[tree.arms[k].outer / 2];
+    const Outside& o = workspace.outside[tree.arms[k].outer / 2];
     const std::size_t side = tree.arms[k].outer % 2;
-    TreeWork::Arm& arm = work.arms[k];
+    TreeWorkspace::Arm& arm = workspace.arms[k];
     const Vec3 r = R * tree.arms[k].l;
     arm.r = r;
     arm.U_force = m.moves + times_hat(m.couples, r);
     arm.U_torque = transpose(m.couples) + times_hat(m.turns, r);
-    arm.D = inverse(arm.U_force - hat_times(r, arm.U_torque) + matrix(o.C, side));
-    arm.rho = m.linear + cross(m.angular, r) + w * dot(w, r) - r * norm2(w) - vector(o.beta, side);
-    const Mat3 force = arm.U_force * arm.D, torque = arm.U_torque * arm.D;
-    m.linear -= force * arm.rho;
-    m.angular -= torque * arm.rho;
+    arm.D_inverse = inverse(arm.U_force - hat_times(r, arm.U_torque) + matrix(o.C, side));
+    arm.rho = m.acceleration + cross(m.alpha, r) + w * dot(w, r) - r * norm2(w) - vector(o.beta, side);
+    const Mat3 force = arm.U_force * arm.D_inverse, torque = arm.U_torque * arm.D_inverse;
+    m.acceleration -= force * arm.rho;
+    m.alpha -= torque * arm.rho;
     m.moves -= times_transposed(force, arm.U_force);
     m.couples -= times_transposed(force, arm.U_torque);
     m.turns -= times_transposed(torque, arm.U_torque);
   }
   const Vec3 r = lane_of(n.r_in, lane);
   const Mat3 K = m.moves + times_hat(m.couples, r) - hat_times(r, transpose(m.couples) + times_hat(m.turns, r));
-  const Vec3 a = m.linear + cross(m.angular, r) + w * dot(w, r) - r * norm2(w);
-  Outside& o = work.outside[branch.slot / 2];
+  const Vec3 a = m.acceleration + cross(m.alpha, r) + w * dot(w, r) - r * norm2(w);
+  Outside& o = workspace.outside[branch.slot / 2];
   const std::size_t side = branch.slot % 2;
   const double C[6] = {K[0][0], K[1][0], K[2][0], K[1][1], K[2][1], K[2][2]};
   for (std::size_t k = 0; k < 6; k++) o.C[k][side] = C[k];
@@ -210,50 +211,50 @@ void end_branch(const Tree& tree, TreeWork& work, const Tree::Branch& branch, Ve
 }
 
 /// Tells a node the force at its inner hinge.
-void pass(TreeWork& work, const Tree& tree, std::uint32_t slot, Vec3 f) {
-  if (slot != tree.rigid) set_lane(work.batches[slot / batch_size].f_in, slot % batch_size, f);
+void set_inner_force(TreeWorkspace& workspace, const Tree& tree, std::uint32_t slot, Vec3 f) {
+  if (slot != tree.world_slot) set_lane(workspace.batches[slot / batch_size].f_in, slot % batch_size, f);
 }
 
 /// Forces at the outer hinges of a branch, once that at its inner one is known.
-void pass_branch(const Tree& tree, TreeWork& work, const Tree::Branch& branch) {
-  TreeWork::Batch& n = work.batches[branch.slot / batch_size];
+void substitute_branch(const Tree& tree, TreeWorkspace& workspace, const Tree::Branch& branch) {
+  TreeWorkspace::Batch& n = workspace.batches[branch.slot / batch_size];
   const std::size_t lane = branch.slot % batch_size;
   const Vec3 f_in = lane_of(n.f_in, lane);
   Vec3 force = f_in, torque = cross(lane_of(n.r_in, lane), f_in), outer = zero3();
   for (std::uint32_t k = branch.last; k-- > branch.first;) {
-    TreeWork::Arm& arm = work.arms[k];
-    arm.f = arm.D * (arm.rho + transposed_times(arm.U_force, force) + transposed_times(arm.U_torque, torque));
+    TreeWorkspace::Arm& arm = workspace.arms[k];
+    arm.f = arm.D_inverse * (arm.rho + transposed_times(arm.U_force, force) + transposed_times(arm.U_torque, torque));
     const Vec3 turning = cross(arm.r, arm.f);
     force -= arm.f;
     torque -= turning;
     outer -= turning;
-    pass(work, tree, tree.arms[k].outer, arm.f);
+    set_inner_force(workspace, tree, tree.arms[k].outer, arm.f);
   }
   set_lane(n.torque, lane, outer);
 }
 
-void eliminate(const Tree& tree, TreeWork& work, Vec3 gravity, const Turning4* state) {
+void eliminate(const Tree& tree, TreeWorkspace& workspace, Vec3 gravity, const Rotation4* state) {
   for (std::size_t p = 0; p < tree.pairs.size(); p++) {
     const Tree::Pair& pair = tree.pairs[p];
-    const TreeWork::Batch& n = work.batches[p / 2];
+    const TreeWorkspace::Batch& n = workspace.batches[p / 2];
     if (pair.kind == Tree::Kind::link) {
-      end_links(n, p, outside_of(work, pair), work.joints[p], work.outside[p]);
+      eliminate_links(n, p, outside_of(workspace, pair), workspace.joints[p], workspace.outside[p]);
     } else if (pair.kind == Tree::Kind::leaf) {
-      end_leaves(n, p, work.outside[p]);
+      eliminate_leaves(n, p, workspace.outside[p]);
     } else {
       for (const std::uint32_t branch : pair.outer)
         if (branch != Tree::none)
-          end_branch(tree, work, tree.branches[branch], gravity,
-                     lane_of(state[p / 2].w, tree.branches[branch].slot % batch_size));
+          eliminate_branch(tree, workspace, tree.branches[branch], gravity,
+                           lane_of(state[p / 2].w, tree.branches[branch].slot % batch_size));
     }
   }
 }
 
 /// Forces at the outer hinges of a pair of links.
-void pass_links(const Tree& tree, TreeWork& work, std::size_t p) {
+void substitute_links(const Tree& tree, TreeWorkspace& workspace, std::size_t p) {
   const Tree::Pair& pair = tree.pairs[p];
-  TreeWork::Batch& n = work.batches[p / 2];
-  const Joint& j = work.joints[p];
+  TreeWorkspace::Batch& n = workspace.batches[p / 2];
+  const Joint& j = workspace.joints[p];
   const Vector2 f = half(n.f_in, p);
   const Vector2 out = j.alone + j.by_x * f.x + j.by_y * f.y + j.by_z * f.z;
   const auto put = [&](Vec3x4& v, std::size_t q) {
@@ -262,66 +263,68 @@ void pass_links(const Tree& tree, TreeWork& work, std::size_t p) {
     set_half(v.z, q, out.z);
   };
   put(n.f_out, p);
-  if (pair.alike && pair.outer[0] != tree.rigid)
-    return put(work.batches[pair.outer[0] / batch_size].f_in, pair.outer[0] / 2);
-  for (std::size_t k = 0; k < 2; k++) pass(work, tree, pair.outer[k], vec(out.x[k], out.y[k], out.z[k]));
+  if (pair.outer_is_pair && pair.outer[0] != tree.world_slot)
+    return put(workspace.batches[pair.outer[0] / batch_size].f_in, pair.outer[0] / 2);
+  for (std::size_t k = 0; k < 2; k++)
+    set_inner_force(workspace, tree, pair.outer[k], vec(out.x[k], out.y[k], out.z[k]));
 }
 
 /// The force at the hinge in the middle, on the first of its nodes; then outwards.
-void pass_forces(const Tree& tree, TreeWork& work) {
+void substitute(const Tree& tree, TreeWorkspace& workspace) {
   const std::uint32_t first = tree.middle[0], second = tree.middle[1];
-  const Outside &p = work.outside[first / 2], &q = work.outside[second / 2];
+  const Outside &p = workspace.outside[first / 2], &q = workspace.outside[second / 2];
   const Vec3 f = inverse(matrix(p.C, first % 2) + matrix(q.C, second % 2)) *
                  (vector(q.beta, second % 2) - vector(p.beta, first % 2));
-  pass(work, tree, first, f);
-  pass(work, tree, second, f * -1.0);
+  set_inner_force(workspace, tree, first, f);
+  set_inner_force(workspace, tree, second, f * -1.0);
   for (std::size_t i = tree.pairs.size(); i-- > 0;) {
     const Tree::Pair& pair = tree.pairs[i];
-    if (pair.kind == Tree::Kind::link) pass_links(tree, work, i);
+    if (pair.kind == Tree::Kind::link) substitute_links(tree, workspace, i);
     if (pair.kind != Tree::Kind::branch) continue;
     for (const std::uint32_t branch : pair.outer)
-      if (branch != Tree::none) pass_branch(tree, work, tree.branches[branch]);
+      if (branch != Tree::none) substitute_branch(tree, workspace, tree.branches[branch]);
   }
 }
 
 }  // namespace
 
-void make_room(const Tree& tree, TreeWork& work) {
+void make_room(const Tree& tree, TreeWorkspace& workspace) {
   const std::size_t count = tree.batches.size();
-  work.batches.resize(count);
-  for (TreeWork::Batch& b : work.batches) b.f_in = b.f_out = b.torque = zero3x4();
-  work.outside.assign(tree.pairs.size() + 1, Outside{});
-  work.joints.resize(tree.pairs.size());
-  work.arms.resize(tree.arms.size());
-  work.stage.resize(count);
-  work.end.resize(count);
+  workspace.batches.resize(count);
+  for (TreeWorkspace::Batch& b : workspace.batches) b.f_in = b.f_out = b.torque = zero3x4();
+  workspace.outside.assign(tree.pairs.size() + 1, Outside{});
+  workspace.joints.resize(tree.pairs.size());
+  workspace.arms.resize(tree.arms.size());
+  workspace.stage_state.resize(count);
+  workspace.end.resize(count);
 }
 
-void find_rates(const Tree& tree, TreeWork& work, Vec3 gravity, const Turning4* state, Turning4* rates) {
+void find_rates(const Tree& tree, TreeWorkspace& workspace, Vec3 gravity, const Rotation4* state, Rotation4* rates) {
   const Vec3x4 g = pack(gravity, gravity, gravity, gravity);
   const std::size_t count = tree.batches.size();
-  for (std::size_t b = 0; b < count; b++) begin(tree.batches[b], g, state[b], rates[b], work.batches[b]);
-  eliminate(tree, work, gravity, state);
-  pass_forces(tree, work);
+  for (std::size_t b = 0; b < count; b++)
+    find_free_accelerations(tree.batches[b], g, state[b], rates[b], workspace.batches[b]);
+  eliminate(tree, workspace, gravity, state);
+  substitute(tree, workspace);
   for (std::size_t b = 0; b < count; b++) {
-    const TreeWork::Batch& n = work.batches[b];
-    rates[b].w = n.angular + times(n.W, cross(n.r_in, n.f_in) - cross(n.r_out, n.f_out) + n.torque);
+    const TreeWorkspace::Batch& n = workspace.batches[b];
+    rates[b].w = n.alpha + times(n.W, cross(n.r_in, n.f_in) - cross(n.r_out, n.f_out) + n.torque);
   }
 }
 
-double largest_own_rate2(const Tree& tree, const TreeWork& work) {
+double largest_own_rate2(const Tree& tree, const TreeWorkspace& workspace) {
   Lanes most = lanes(0.0);
   for (std::size_t b = 0; b < tree.batches.size(); b++) {
-    const TreeWork::Batch& n = work.batches[b];
+    const TreeWorkspace::Batch& n = workspace.batches[b];
     most = larger(most, square_root(norm2(n.f_in)) * tree.batches[b].turn_per_force_in +
                             square_root(norm2(n.f_out)) * tree.batches[b].turn_per_force_out);
   }
   double rate2 = largest_lane(most);
   for (const Tree::Branch& branch : tree.branches) {
     const std::size_t b = branch.slot / batch_size, lane = branch.slot % batch_size;
-    double sum = norm(lane_of(work.batches[b].f_in, lane)) * tree.batches[b].turn_per_force_in[lane];
+    double sum = norm(lane_of(workspace.batches[b].f_in, lane)) * tree.batches[b].turn_per_force_in[lane];
     for (std::uint32_t k = branch.first; k < branch.last; k++)
-      sum += norm(work.arms[k].f) * tree.arms[k].turn_per_force;
+      sum += norm(workspace.arms[k].f) * tree.arms[k].turn_per_force;
     rate2 = std::max(rate2, sum);
   }
   return rate2;

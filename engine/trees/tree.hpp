@@ -36,8 +36,8 @@ struct Tree {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   struct Batch {
-    Vec3x4 in, out;                    // [m] arms to the inner hinge, and to the only outer one
-    Vec3x4 inverse_inertia, gyration;  // of the latter I_y - I_z, I_z - I_x, I_x - I_y
+    Vec3x4 in, out;                               // [m] arms to the inner hinge, and to the only outer one
+    Vec3x4 inverse_inertia, inertia_differences;  // of the latter I_y - I_z, I_z - I_x, I_x - I_y
     Lanes inverse_mass;
     Lanes turn_per_force_in, turn_per_force_out;  // see `turn_per_force`
   };
@@ -45,8 +45,8 @@ struct Tree {
   /// In the order of elimination.
   struct Pair {
     Kind kind = Kind::leaf;
-    bool alike = false;      // the two outer ones are a pair, in this order
-    std::uint32_t outer[2];  // of links: slots of what hangs on their outer hinges; of branches: which
+    bool outer_is_pair = false;  // the two outer ones are a pair, in this order
+    std::uint32_t outer[2];  // of links: slots of what hangs on their outer hinges; of branches: indices in `branches`
   };
   struct Branch {
     std::uint32_t slot;
@@ -57,36 +57,36 @@ struct Tree {
     Vec3 l;
     double turn_per_force;
   };
-  /// From a node whose position is known, or the world (-1), to the next.
-  struct Step {
-    std::int32_t from, to;
-    std::uint32_t from_slot, to_slot;
+  /// Where a node is, by a hinge to one whose position is known, or to the world (-1).
+  struct Placement {
+    std::int32_t parent, child;
+    std::uint32_t parent_slot, child_slot;
     std::uint32_t hinge;
-    Vec3 from_arm, to_arm;  // in principal axes
+    Vec3 parent_arm, child_arm;  // [m] in principal axes
   };
 
-  std::uint32_t nodes = 0, rigid = 0;  // `rigid`: the slot of the world, after all others
-  std::uint32_t middle[2] = {0, 0};    // slots at the last hinge
+  std::uint32_t nodes = 0, world_slot = 0;  // the latter after all others
+  std::uint32_t middle[2] = {0, 0};         // slots at the last hinge
   bool anchored = false;
   std::vector<std::uint32_t> slots;  // (nodes)
   std::vector<Batch> batches;
   std::vector<Pair> pairs;
   std::vector<Branch> branches;
   std::vector<Arm> arms;
-  std::vector<Step> steps;
+  std::vector<Placement> placements;    // in breadth-first order from the nail or from node 0
   std::vector<double> masses, extents;  // (nodes) [kg], [m]
   double mass = 0.0;                    // [kg]
 };
 
 /// Where a tree is worked on.
-struct TreeWork {
+struct TreeWorkspace {
   using Two = double __attribute__((vector_size(16)));
   struct Symmetric4 {
     Lanes xx, xy, xz, yy, yz, zz;
   };
   struct Batch {
     Mat3x4 R;
-    Vec3x4 r_in, r_out, angular, a_in, a_out;
+    Vec3x4 r_in, r_out, alpha, a_in, a_out;
     Symmetric4 W, K_in, K_out;
     Lanes K_cross[9];    // K_out,in by rows
     Vec3x4 f_in, f_out;  // [N] on the node; on what hangs on its outer hinge
@@ -99,20 +99,24 @@ struct TreeWork {
     Two x, y, z;
   };
   struct Joint {
-    Vector2 by_x, by_y, by_z, alone;  // force at the outer hinge, by that at the inner one and without: D⁻¹ B, D⁻¹ ρ
+    // force at the outer hinge, by that at the inner one and without: D⁻¹ K_out,in, D⁻¹ ρ
+    Vector2 by_x, by_y, by_z, alone;
   };
   struct Arm {
-    Mat3 U_force, U_torque, D;  // by how much a force at the arm moves the node, and turns it
+    Mat3 U_force, U_torque, D_inverse;  // by how much a force at the arm moves the node, and turns it
     Vec3 r, rho, f;
   };
   AlignedVector<Batch> batches;
   std::vector<Outside> outside;  ///< (pairs, and the world)
   std::vector<Joint> joints;     ///< (pairs)
   std::vector<Arm> arms;
-  AlignedVector<Lanes> stages;  ///< of a step
-  TreeState stage, end, wrong;
-  AlignedVector<Vec3x4> turns, displaced;  ///< (slots), (nodes) how wrong a step is
-  std::vector<Vec3> momenta;               ///< (nodes) [kg m/s]
+  AlignedVector<Lanes> k;                     ///< (stages × state) rates
+  TreeState stage_state, end;                 ///< of a step
+  TreeState error_estimate;                   ///< of order 5
+  AlignedVector<Vec3x4> rotation_errors;      ///< (slots) [rad] estimates of a step's, in the lanes
+  AlignedVector<Vec3x4> displacement_errors;  ///< (nodes) [m] what these make of the positions
+  TreeState present;                          ///< at the end of a drift
+  std::vector<Vec3> momenta;                  ///< (nodes) [kg m/s]
 };
 
 /// Square of the rate at which a force at an arm can make a node swing, by that force [m/(kg m²)].
@@ -121,14 +125,14 @@ double turn_per_force(const TreeNode& node, Vec3 arm);
 /// Orders the elimination. The hinges must make one tree; at most one is to the world.
 Tree make_tree(std::span<const TreeNode> nodes, std::span<const TreeHinge> hinges);
 
-/// Empties it for a tree.
-void make_room(const Tree& tree, TreeWork& work);
+/// Sizes it for a tree.
+void make_room(const Tree& tree, TreeWorkspace& workspace);
 
 /// Rates of a state under a uniform gravity [m/s²].
-void find_rates(const Tree& tree, TreeWork& work, Vec3 gravity, const Turning4* state, Turning4* rates);
+void find_rates(const Tree& tree, TreeWorkspace& workspace, Vec3 gravity, const Rotation4* state, Rotation4* rates);
 
 /// Square of the rate [1/s²] at which the hinges' forces of the last evaluation can make a node swing: of the stiffest, a
 /// little too large.
-double largest_own_rate2(const Tree& tree, const TreeWork& work);
+double largest_own_rate2(const Tree& tree, const TreeWorkspace& workspace);
 
 }  // namespace pantin

@@ -5,7 +5,7 @@
 
 namespace pantin {
 
-struct TreeWish {
+struct StepControl {
   double error_rate = 0.0;  ///< [m/s] largest local error of a point
   double shortest = 0.0;    ///< [s] a step is not made shorter
   double longest = 0.0;     ///< [s] nor longer
@@ -18,15 +18,15 @@ struct TreeCost {
 };
 
 /// Finds the rates at the end of a fresh course.
-void begin_course(const Tree& tree, TreeWork& work, TreeCourse& course, Vec3 gravity, TreeCost& cost);
+void begin_course(const Tree& tree, TreeWorkspace& workspace, TreeCourse& course, Vec3 gravity, TreeCost& cost);
 
-/// The longest step that is stable [s]: the method is to h rate = 5.9.
+/// The longest step that is taken [s]: h rate = 5.5, where the method is stable to 5.9.
 double stable_length(double own_rate2);
 
 /// Moves the present of a course that has begun by `time` [s] > 0 under a gravity [m/s²]. False where the state does not stay finite; nothing is then
 /// left of the course.
-bool advance(const Tree& tree, TreeWork& work, TreeCourse& course, double time, Vec3 gravity, const TreeWish& wish,
-             TreeCost& cost);
+bool advance(const Tree& tree, TreeWorkspace& workspace, TreeCourse& course, double time, Vec3 gravity,
+             const StepControl& control, TreeCost& cost);
 
 /// The state at present, of unit length.
 void read_present(const TreeCourse& course, TreeState& state);

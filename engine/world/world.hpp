@@ -29,7 +29,7 @@ struct Forces;
 struct StepStart;
 struct TouchSpace;
 struct Trial;
-struct TreeWork;
+struct TreeWorkspace;
 class Workers;
 
 /// What can grab: the mouse, a finger, a stick, a script.
@@ -217,14 +217,14 @@ struct World : WorldData {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
-  std::unique_ptr<ContactFinder> contact_finder;         ///< null where there is no shape
-  std::unique_ptr<TouchSpace> touch_space;               ///< the same
-  std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
-  std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
-  std::vector<std::unique_ptr<TreeWork>> tree_works;     ///< (threads) where trees are moved
-  std::unique_ptr<StepStart> start;                      ///< of a step that may have to be done again
-  std::unique_ptr<Workers> workers;                      ///< threads
+  std::vector<std::unique_ptr<Articulate>> articulates;         ///< in the order of their smallest serial
+  std::unique_ptr<ContactFinder> contact_finder;                ///< null where there is no shape
+  std::unique_ptr<TouchSpace> touch_space;                      ///< the same
+  std::unique_ptr<Forces> forces;                               ///< of the laws; null where none acts
+  std::vector<std::unique_ptr<Trial>> trials;                   ///< (threads) of sub-steps
+  std::vector<std::unique_ptr<TreeWorkspace>> tree_workspaces;  ///< (threads) where trees are moved
+  std::unique_ptr<StepStart> start;                             ///< of a step that may have to be done again
+  std::unique_ptr<Workers> workers;                             ///< threads
   Profile profile;
 
   /// Called in `run_behaviours`, with the notices still there. Scripts may edit in it.

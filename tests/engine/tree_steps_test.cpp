@@ -13,7 +13,7 @@ const Vec3 g = vec(0, -9.81, 0);
 /// Unit rods in a row, each turned against the last so that they leave every plane.
 struct Crooked {
   Tree tree;
-  TreeWork work;
+  TreeWorkspace workspace;
   TreeCourse course;
 
   explicit Crooked(std::int32_t links) {
@@ -25,23 +25,23 @@ struct Crooked {
       hinges.push_back({i, i - 1, vec(-0.5, 0, 0), i > 0 ? vec(0.5, 0.1, 0) : zero3()});
     }
     tree = make_tree(nodes, hinges);
-    make_room(tree, work);
+    make_room(tree, workspace);
     course.end.resize(tree.batches.size());
-    for (Turning4& t : course.end) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
+    for (Rotation4& t : course.end) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
     for (std::int32_t i = 0; i < links; i++) {
       const std::uint32_t k = tree.slots[static_cast<std::size_t>(i)];
-      Turning4& t = course.end[k / batch_size];
+      Rotation4& t = course.end[k / batch_size];
       const double c = std::cos(0.2 * i), s = std::sin(0.2 * i);
       t.q.w[k % batch_size] = c;
       t.q.y[k % batch_size] = s;
     }
     TreeCost cost;
-    begin_course(tree, work, course, g, cost);
+    begin_course(tree, workspace, course, g, cost);
   }
 
-  TreeCost move(double time, const TreeWish& wish) {
+  TreeCost move(double time, const StepControl& control) {
     TreeCost cost;
-    REQUIRE(advance(tree, work, course, time, g, wish, cost));
+    REQUIRE(advance(tree, workspace, course, time, g, control, cost));
     return cost;
   }
   TreeState now() const {
@@ -62,9 +62,9 @@ double difference(const TreeState& a, const TreeState& b) {
   return most;
 }
 
-TreeState after(double time, const TreeWish& wish) {
+TreeState after(double time, const StepControl& control) {
   Crooked c(5);
-  c.move(time, wish);
+  c.move(time, control);
   return c.now();
 }
 
@@ -111,10 +111,10 @@ TEST_CASE("tree_steps: the error is as asked, whenever somebody asks where all i
   for (const double wanted : {1e-3, 1e-6, 1e-9}) {
     CAPTURE(wanted);
     Crooked rarely(5), often(5);
-    const TreeWish wish{wanted, 1e-5, 1.0};
+    const StepControl control{wanted, 1e-5, 1.0};
     std::uint32_t few = 0, many = 0;
-    for (int i = 0; i < 10; i++) few += rarely.move(0.1, wish).evaluations;
-    for (int i = 0; i < 1000; i++) many += often.move(0.001, wish).evaluations;
+    for (int i = 0; i < 10; i++) few += rarely.move(0.1, control).evaluations;
+    for (int i = 0; i < 1000; i++) many += often.move(0.001, control).evaluations;
     CHECK(difference(rarely.now(), exact) <= 10.0 * wanted);
     CHECK(difference(often.now(), exact) <= 10.0 * wanted);
     CHECK(many <= 1.4 * few);
@@ -132,6 +132,6 @@ TEST_CASE("tree_steps: what is not a number is not taken for one") {
   Crooked c(5);
   c.course.end[0].w.x[0] = std::nan("");
   TreeCost cost;
-  begin_course(c.tree, c.work, c.course, g, cost);
-  CHECK_FALSE(advance(c.tree, c.work, c.course, 0.1, g, {1e-6, 1e-3, 1.0}, cost));
+  begin_course(c.tree, c.workspace, c.course, g, cost);
+  CHECK_FALSE(advance(c.tree, c.workspace, c.course, 0.1, g, {1e-6, 1e-3, 1.0}, cost));
 }

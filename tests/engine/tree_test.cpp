@@ -33,11 +33,11 @@ Made make(const cases::RandomTree& random) {
     hinges.push_back({tie.a, tie.b, arm(tie.a, tie.point_a), tie.b >= 0 ? arm(tie.b, tie.point_b) : zero3()});
   Made made{make_tree(nodes, hinges), {}};
   made.state.resize(made.tree.batches.size());
-  for (Turning4& t : made.state) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
+  for (Rotation4& t : made.state) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
   const reference::Hinged all = cases::hinged(random);
   for (std::size_t i = 0; i < nodes.size(); i++) {
     const auto& q = random.parts[i].turn;
-    Turning4& t = made.state[made.tree.slots[i] / batch_size];
+    Rotation4& t = made.state[made.tree.slots[i] / batch_size];
     const std::size_t lane = made.tree.slots[i] % batch_size;
     t.q.w[lane] = 3.0 * q.w();  // of any length
     t.q.x[lane] = 3.0 * q.x();
@@ -51,11 +51,11 @@ Made make(const cases::RandomTree& random) {
 /// Largest difference of spins' rates from the reference's, relative to the largest of those.
 double wrong(const cases::RandomTree& random) {
   const Made made = make(random);
-  TreeWork work;
-  make_room(made.tree, work);
+  TreeWorkspace workspace;
+  make_room(made.tree, workspace);
   TreeState rates;
   rates.resize(made.state.size());
-  find_rates(made.tree, work, vec(0, -9.81, 0), made.state.data(), rates.data());
+  find_rates(made.tree, workspace, vec(0, -9.81, 0), made.state.data(), rates.data());
   const reference::Hinged all = cases::hinged(random);
   const reference::State exact = reference::rate(all, reference::start(all));
   double most = 0.0, size = 0.0;
@@ -97,18 +97,18 @@ TEST_CASE("tree: a chain is eliminated from both ends, and what all nodes do twi
   for (std::int32_t i = 0; i < 9; i++) hinges.push_back({i, i - 1, vec(-0.5, 0, 0), i > 0 ? vec(0.5, 0, 0) : zero3()});
   const Tree tree = make_tree(nodes, hinges);
   CHECK(tree.pairs.size() == 5);  // the last node, and four pairs of both sides
-  for (std::size_t p = 2; p < tree.pairs.size(); p++) CHECK(tree.pairs[p].alike);
-  TreeWork work;
-  make_room(tree, work);
+  for (std::size_t p = 2; p < tree.pairs.size(); p++) CHECK(tree.pairs[p].outer_is_pair);
+  TreeWorkspace workspace;
+  make_room(tree, workspace);
   TreeState state, rates;
   state.resize(tree.batches.size());
   rates.resize(tree.batches.size());
-  for (Turning4& t : state)
+  for (Rotation4& t : state)
     t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, {lanes(0.0), lanes(0.0), lanes(1.0)}};
-  find_rates(tree, work, zero3(), state.data(), rates.data());
-  const double once = largest_own_rate2(tree, work);
-  for (Turning4& t : state) t.w.z = lanes(2.0);
-  find_rates(tree, work, zero3(), state.data(), rates.data());
-  CHECK(largest_own_rate2(tree, work) == Approx(4.0 * once));
+  find_rates(tree, workspace, zero3(), state.data(), rates.data());
+  const double once = largest_own_rate2(tree, workspace);
+  for (Rotation4& t : state) t.w.z = lanes(2.0);
+  find_rates(tree, workspace, zero3(), state.data(), rates.data());
+  CHECK(largest_own_rate2(tree, workspace) == Approx(4.0 * once));
   CHECK(once >= 9 * 8 / 2);  // that the outer nodes pull at the nail with, by what a rod of these swings with
 }

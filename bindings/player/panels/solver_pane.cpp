@@ -93,7 +93,7 @@ class SolverPane : public Pane {
     for (std::size_t i = 0; i < shown; i++) {
       const Articulate& a = *biggest_[i];
       ImGui::Text("%zu things, %zu rows, gap %.1g m%s%s", a.nodes.size(), a.rows.size(), a.gaps.all(),
-                  a.tree ? ", no loops" : "", a.fell_back ? ", fallback step" : "");
+                  a.loop_free ? ", no loops" : "", a.fell_back ? ", fallback step" : "");
     }
     ImGui::TreePop();
   }

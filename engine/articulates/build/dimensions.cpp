@@ -38,7 +38,7 @@ void find_free_axes(Articulate& a) {
 }
 
 /// Whether the rows make no loop; the world counts as one node, and an angular row beside one between points makes none.
-bool is_tree(const Articulate& a) {
+bool is_loop_free(const Articulate& a) {
   if (!a.couplings.empty()) return false;
   const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
   const auto angular_rows_count =
@@ -116,8 +116,8 @@ void find_dimensions(Articulate& a, const Model& model) {
   for (const Node& node : a.nodes) a.total_mass += node.mass;
   find_reaches(a);
   find_free_axes(a);
-  a.tree = is_tree(a);
-  if (a.tree) a.least_epsilon = a.most_epsilon = 1e-16;
+  a.loop_free = is_loop_free(a);
+  if (a.loop_free) a.least_epsilon = a.most_epsilon = 1e-16;
   a.epsilon = std::min(a.epsilon, a.most_epsilon);
 }
 

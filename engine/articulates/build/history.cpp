@@ -63,7 +63,7 @@ void History::inherit(Articulate& to) const {
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
     to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
     to.course.next = std::max(to.course.next, from.course.next);
-    to.calm = std::max(to.calm, from.calm);
+    to.stages_not_stiff = std::max(to.stages_not_stiff, from.stages_not_stiff);
     to.weak = to.weak || from.weak;
     to.fell_back = to.fell_back || from.fell_back;
     to.edited = to.edited || from.edited || from.offsets;

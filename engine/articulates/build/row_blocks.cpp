@@ -38,17 +38,17 @@ void find_row_blocks(Articulate& a) {
     };
     for (const CoupledBlock& m : coupling.blocks)
       if (m.column != coupling.head) clear(m.block);
-    for (const HeadBlock& link : coupling.links) clear(link.block);
+    for (const HeadBlock& m : coupling.head_blocks) clear(m.block);
   }
   for (std::uint32_t& t : a.factor.target) {
     if (t & Factor::on_diagonal || reached[t]) continue;
     reached[t] = 1;
-    t |= Factor::is_first;
+    t |= Factor::is_fill_in;
   }
 }
 
 void find_tiles(Articulate& a) {
-  constexpr std::uint32_t stretch = 8;
+  constexpr std::uint32_t tile_rows = 8;
   const auto rows = static_cast<std::uint32_t>(a.rows.size()), batches = static_cast<std::uint32_t>(a.batches.size());
   std::vector<std::uint32_t> last_row(batches, 0), last_batch(rows, 0);
   for (std::uint32_t k = 0; k < rows; k++)
@@ -69,7 +69,7 @@ void find_tiles(Articulate& a) {
   };
   Tile w;
   while (w.forces < rows) {
-    w.forces = std::min(rows, w.forces + stretch);
+    w.forces = std::min(rows, w.forces + tile_rows);
     while (w.batches < batches && last_row[w.batches] < w.forces) w.batches++;
     while (w.rows < rows && last_batch[w.rows] < w.batches) w.rows++;
     while (w.columns < w.rows && last_below(w.columns) < w.rows) w.columns++;

@@ -221,7 +221,7 @@ void find_couplings(Articulate& a) {
       if (k == coupling.head) continue;
       for (std::int32_t node : {a.rows[k].a, a.rows[k].b})
         if (node >= 0) find_coupled_blocks(a, coupling, k, node);
-      coupling.links.push_back({k, a.factor.block(std::max(k, coupling.head), std::min(k, coupling.head))});
+      coupling.head_blocks.push_back({k, a.factor.block(std::max(k, coupling.head), std::min(k, coupling.head))});
     }
 }
 

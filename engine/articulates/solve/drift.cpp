@@ -45,12 +45,12 @@ struct Part {
 
 /// A fallback step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
 /// that go backwards, to its end. Where nothing may be spent on attempts any more, to the end of the drift.
-void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
+void fall_back_over(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   a.smooth = false;
-  a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
+  a.moved_to = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
   if (!a.sums_impulses) cut(a);
-  set_conditions(a, settings.step, part.from, a.arrived);
-  const double h = settings.step * (a.arrived - part.from);
+  set_conditions(a, settings.step, part.from, a.moved_to);
+  const double h = settings.step * (a.moved_to - part.from);
   fallback_step(a, settings, h, report);
   add_forces_exerted(a, h);
 }
@@ -58,7 +58,7 @@ void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
 void stand_still(Articulate& a, double step, double at) {
   set_conditions(a, step, at, at);
-  for (Node& n : a.nodes) rest_at_start(n);
+  for (Node& n : a.nodes) put_end_at_start(n);
   place_rows_at_end(a);
 }
 
@@ -96,9 +96,9 @@ std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) 
   return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
 }
 /// What attempts that fail may cost, of all parts together: rows without a loop do not contradict each other.
-std::uint32_t all_spare(const Articulate& a) { return a.tree ? allowance(a, 320, 24.0) : allowance(a, 160, 16.0); }
+std::uint32_t all_spare(const Articulate& a) { return a.loop_free ? allowance(a, 320, 24.0) : allowance(a, 160, 16.0); }
 /// What all attempts may.
-std::uint32_t most_cost(const Articulate& a) { return a.tree ? allowance(a, 640, 48.0) : allowance(a, 240, 24.0); }
+std::uint32_t most_cost(const Articulate& a) { return a.loop_free ? allowance(a, 640, 48.0) : allowance(a, 240, 24.0); }
 
 /// Tries to solve a part of h [s]; what a failure costs is spent.
 bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
@@ -139,10 +139,10 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
 }
 
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
-  if (part.from < a.arrived) return;
+  if (part.from < a.moved_to) return;
   const double h = settings.step * (part.to - part.from);
   set_conditions(a, settings.step, part.from, part.to);
-  if (a.gaps.unaccepted > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
+  if (a.gaps.unaccepted > 1e-8 * a.length) return fall_back_over(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.sums_impulses) return;
     add_forces_exerted(a, h);
@@ -150,8 +150,9 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
     for (Condition& c : a.conditions) c.held_before = c.held;
     return;
   }
-  const bool stuck = part.depth == 0 && a.fell_back;  // since the last step: shorter ones would not help
-  if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_by_fallback(a, settings, part, report);
+  const bool failed_before = part.depth == 0 && a.fell_back;  // since the last step: shorter ones would not help
+  if (part.depth == most_halvings || failed_before || a.effort.spare == 0)
+    return fall_back_over(a, settings, part, report);
   report.halved++;
   a.smooth = false;
   if (!a.sums_impulses) begin_cut(a, settings, part.from, report);
@@ -162,7 +163,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-EnergyOfConsistency make_consistent_after_edit(Articulate& a, double step, double at) {
+EnergyOfConsistency make_start_consistent(Articulate& a, double step, double at) {
   a.edited = a.sums_impulses = false;
   stand_still(a, step, at);
   measure_gaps(a);
@@ -214,7 +215,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   drop_factor(a, FactorOf::projection);
   begin_effort(a);
   if (a.edited) {
-    const EnergyOfConsistency gave = make_consistent_after_edit(a, settings.step, settings.from);
+    const EnergyOfConsistency gave = make_start_consistent(a, settings.step, settings.from);
     report.after_edit += gave.tied;
     report.limit += gave.stopped;
   }
@@ -222,7 +223,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     strengthen_stalled(a, settings.step);
     const bool symmetric = project_symmetrically(a, settings.full, report);
     a.smooth = true;
-    a.arrived = 0.0;
+    a.moved_to = 0.0;
     a.sums_impulses = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.unaccepted > 1e-8 * a.length;

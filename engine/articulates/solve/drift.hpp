@@ -8,9 +8,10 @@ struct EnergyOfConsistency {
   double tied = 0.0;     ///< by what ties
   double stopped = 0.0;  ///< by what stops: couplings that are taut, limits that are met
 };
-/// Makes the velocities of a loaded articulate consistent at a moment `at` (0 … 1) of a step of `step` [s] after an edit, unless
-/// that tore it apart. Called before the first forces of the step act: what they change is no edit's.
-EnergyOfConsistency make_consistent_after_edit(Articulate& articulate, double step, double at);
+/// Makes the velocities of a loaded articulate consistent at a moment `at` (0 … 1) of a step of `step` [s], after an edit or where
+/// its tree takes it over, unless an edit tore it apart. After an edit it is called before the first forces of the step act: what
+/// they change is no edit's.
+EnergyOfConsistency make_start_consistent(Articulate& articulate, double step, double at);
 
 /// Moves a loaded articulate by one step: Newton's iteration; where it fails, two half steps, five levels deep; where
 /// these fail or the step begins with a gap, the fallback step. Velocities are not yet projected.

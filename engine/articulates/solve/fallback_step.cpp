@@ -154,7 +154,7 @@ void close_gaps(Articulate& a, double tolerance, int& tries_left, Closing closin
       sum = now;
       continue;
     }
-    for (Node& n : a.nodes) rest_at_start(n);
+    for (Node& n : a.nodes) put_end_at_start(n);
     find_gaps(a, closing);
     epsilon *= 20.0;
   }
@@ -167,7 +167,7 @@ void move_freely(Articulate& a, double h, double fraction) {
     const Vec3 P = n.P0;
     n.x0 += n.p0 * (h * fraction * n.inverse_mass);
     if (n.turns && fraction > 0.0) turn_freely(n, h * fraction);
-    rest_at_start(n);
+    put_end_at_start(n);
     if (fraction < 1.0) n.P0 = P;
   }
 }
@@ -223,7 +223,7 @@ void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
     n.p0 = zero3();
     n.P0 = n.P0 - n.P0 * n.felt_axes;
     n.O0 = n.inverse_inertia * n.P0;
-    rest_at_start(n);
+    put_end_at_start(n);
   }
   find_gaps(a);
   measure_gaps(a);
@@ -260,7 +260,8 @@ class OnlyDissipates {
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
-  if (a.tree || !nothing_driven(a) || a.gaps.unaccepted <= 1e-8 * a.length || a.gaps.unaccepted > tolerance * a.length)
+  if (a.loop_free || !nothing_driven(a) || a.gaps.unaccepted <= 1e-8 * a.length ||
+      a.gaps.unaccepted > tolerance * a.length)
     return;
   for (Row& row : a.rows)
     if (!is_soft(row)) accept_gap(a, row);
@@ -277,7 +278,7 @@ void close_displaced(Articulate& a) {
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
   const double open_before = a.gaps.unaccepted;
-  for (Node& n : a.nodes) rest_at_start(n);
+  for (Node& n : a.nodes) put_end_at_start(n);
   place_rows_at_start(a);
   hold_stiff(a);
   std::vector<Vec3> angular;
@@ -302,7 +303,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   OnlyDissipates energy(a, settings.gravity, report);
   place_rows_at_start(a);
   hold_stiff(a);
-  for (Node& n : a.nodes) rest_at_start(n);
+  for (Node& n : a.nodes) put_end_at_start(n);
   kick(a, h, settings.gravity, report);
   const bool free = is_free(a);
   const Momenta momenta = momenta_of(a);

@@ -54,15 +54,15 @@ Turn find_turn(const Node& n, Vec3 P, double h) {
   b = right;
   double last = infinity;
   for (int i = 0; i < 20; i++) {
-    const Vec3 error = b + skew * vec(b[1] * b[2], b[2] * b[0], b[0] * b[1]) - right * (1.0 + norm2(b));
-    Mat3 slope = outer(right, b) * -2.0;
+    const Vec3 residual = b + skew * vec(b[1] * b[2], b[2] * b[0], b[0] * b[1]) - right * (1.0 + norm2(b));
+    Mat3 jacobian = outer(right, b) * -2.0;
     for (int k = 0; k < 3; k++) {
       const int l = (k + 1) % 3, m = (k + 2) % 3;
-      slope[k][k] += 1.0;
-      slope[k][l] += skew[l] * b[m];  // column k
-      slope[k][m] += skew[m] * b[l];
+      jacobian[k][k] += 1.0;
+      jacobian[k][l] += skew[l] * b[m];  // column k
+      jacobian[k][m] += skew[m] * b[l];
     }
-    const Vec3 db = inverse(slope) * error;
+    const Vec3 db = inverse(jacobian) * residual;
     const double size = norm(db);
     if (!(size <= 1.0)) return turn;
     if (size >= last) {  // round-off

@@ -17,10 +17,10 @@ Vec3x4 right_arm(const RowEnds& end, Arms right) {
 }
 
 /// Rotation that a force of the row makes: W (s r̄^), of an angular row W lever.
-Mat3x4 turn_by(const Mat3x4& W, const RowEnds& end, Arms right) {
-  Mat3x4 G = times_hat(W, right_arm(end, right) * end.sign);
-  for (int k = 0; k < 3; k++) G[k] += W[k] * end.lever;
-  return G;
+Mat3x4 rotation_per_force(const Mat3x4& W, const RowEnds& end, Arms right) {
+  Mat3x4 turn = times_hat(W, right_arm(end, right) * end.sign);
+  for (int k = 0; k < 3; k++) turn[k] += W[k] * end.lever;
+  return turn;
 }
 
 /// Of the nodes, in each direction: 1/m, but 0 across a plane.
@@ -29,11 +29,11 @@ Vec3x4 inverse_masses(const Articulate& a, const NodeBatch& n) {
   return {n.inverse_mass * d[0], n.inverse_mass * d[1], n.inverse_mass * d[2]};
 }
 
-/// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of an angular row lever G.
-Mat3x4 response(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec3x4& inverse_mass) {
+/// What the force of a row does to another, by the rotation that it makes: s_i s_j/m - s_i r_i^ turn; of an angular row lever turn.
+Mat3x4 response(const RowEnds& of, const RowEnds& by, const Mat3x4& turn, const Vec3x4& inverse_mass) {
   const Vec3x4 left = of.r1 * of.sign, straight = inverse_mass * (of.sign * by.sign);
   Mat3x4 K;
-  for (int k = 0; k < 3; k++) K[k] = cross(G[k], left) + G[k] * of.lever;
+  for (int k = 0; k < 3; k++) K[k] = cross(turn[k], left) + turn[k] * of.lever;
   K[0].x += straight.x;
   K[1].y += straight.y;
   K[2].z += straight.z;
@@ -51,9 +51,9 @@ void add_row_blocks(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   const auto ends = ends_of(a, n).first(ends_with_blocks(a, b));
   const Vec3x4 inverse_mass = inverse_masses(a, n);
   for (std::size_t j = 0; j < ends.size(); j++) {
-    const Mat3x4 G = turn_by(W, ends[j], right);
+    const Mat3x4 turn = rotation_per_force(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
-      const auto blocks = unpack(response(ends[i], ends[j], G, inverse_mass));
+      const auto blocks = unpack(response(ends[i], ends[j], turn, inverse_mass));
       for (std::size_t lane = 0; lane < n.count; lane++) {
         const RowBlock* m = row_block(a, b, lane, i, j);
         if (m == nullptr) continue;
@@ -81,7 +81,7 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
     add(a.factor.upper[block], true, row, a, identity33() * sign);
     add(a.factor.upper[block + 1], true, row, a, unpack(response(ends[i], ends[i], one, zero3x4()))[lane]);
     a.factor.lower[block] = diagonal(a.plane.directions()) * (-sign * n.inverse_mass[lane]);
-    a.factor.lower[block + 1] = unpack(turn_by(W, ends[i], right))[lane] * -1.0;
+    a.factor.lower[block + 1] = unpack(rotation_per_force(W, ends[i], right))[lane] * -1.0;
   }
   for (std::uint32_t k : hub.alone) a.factor.diagonal[k] = zero33();
   for (std::uint32_t k : {hub.variable, hub.variable + 1}) {
@@ -92,7 +92,7 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
 
 /// A pivot that is hardly more than the compliance is of a row that says what others do: in Newton's matrix it is left out.
 double redundant(const Articulate& a, const System& system) {
-  if (a.tree) return 1e-16;
+  if (a.loop_free) return 1e-16;
   return system.right == Arms::mean ? std::max(4.0 * system.epsilon, 1e-12) : 1e-12;
 }
 
@@ -120,7 +120,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
 
 /// Hands the rows the change of d1 that the nodes' own residuals make.
 void move_ends(Articulate& a, const NodeBatch& n) {
-  const Vec3x4 turn = rotation(n, n.da);
+  const Vec3x4 turn = rotation(n, n.own_da);
   for (const RowEnds& end : ends_of(a, n)) scatter_to_rows(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
 const Coupling* coupling_of_head(const Articulate& a, std::uint32_t k) {
@@ -162,16 +162,16 @@ void add_coupled_blocks(Articulate& a, const Coupling& coupling, const System& s
   for (const CoupledBlock& m : coupling.blocks) {
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.row), &by = end_of(a, m.node, m.column);
-    const Mat3x4 G = turn_by(angular_mobility(a, batch, system), by, system.right);
-    const Mat3 k = unpack(response(of, by, G, inverse_masses(a, a.batches[batch])))[m.node % batch_size];
+    const Mat3x4 turn = rotation_per_force(angular_mobility(a, batch, system), by, system.right);
+    const Mat3 k = unpack(response(of, by, turn, inverse_masses(a, a.batches[batch])))[m.node % batch_size];
     Mat3& block = m.column == coupling.head ? a.factor.diagonal[m.block]
                   : m.upper                 ? a.factor.upper[m.block]
                                             : a.factor.lower[m.block];
     block += condition(a, a.rows[m.row]).into_head * k;
   }
-  for (const HeadBlock& link : coupling.links) {
-    Mat3& block = link.row > coupling.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
-    block += condition(a, a.rows[link.row]).from_head * system.scale;
+  for (const HeadBlock& m : coupling.head_blocks) {
+    Mat3& block = m.row > coupling.head ? a.factor.lower[m.block] : a.factor.upper[m.block];
+    block += condition(a, a.rows[m.row]).from_head * system.scale;
   }
 }
 

@@ -31,7 +31,7 @@ inline void turn_arms(NodeBatch& n, std::span<RowEnds> ends) {
   }
 }
 
-/// Sets the end of the step, the residual E and the correction da; returns the squares of its size [m²].
+/// Sets the end of the step, the residual E and the correction own_da; returns the squares of its size [m²].
 inline Lanes evaluate(NodeBatch& n, const RowLoad& load, double h) {
   n.row_force = load.force;
   n.x1 = n.x_free + load.force * n.sway;
@@ -39,8 +39,8 @@ inline Lanes evaluate(NodeBatch& n, const RowLoad& load, double h) {
   const Vec3x4 Pi = n.inertia_rate * n.a - n.L0;
   n.sum = Pi + n.L1;
   n.E = Pi - n.L1 + cross(n.a, n.sum) * 0.5;
-  n.da = n.J_inverse * n.E * -1.0;
-  return norm2(n.da) * n.reach2;
+  n.own_da = n.J_inverse * n.E * -1.0;
+  return norm2(n.own_da) * n.reach2;
 }
 
 /// J = dE/da, inverted, with B = Σ r̄ ±f':
@@ -60,7 +60,7 @@ inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
     J[k] = d - dtau - sum_hat[k] * 0.5 + cross(n.a, d + dtau) * 0.5;
   }
   n.J_inverse = inverse(J);
-  n.da = n.J_inverse * n.E * -1.0;
+  n.own_da = n.J_inverse * n.E * -1.0;
 }
 
 /// The same in a plane, where all rotations are about its normal k: of J and its inverse only J_kk counts,
@@ -72,7 +72,7 @@ inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k)
   n.J_inverse = {{zero3x4(), zero3x4(), zero3x4()}};
   Vec3x4& column = n.J_inverse[k];
   (k == 0 ? column.x : k == 1 ? column.y : column.z) = inverse;
-  n.da = n.J_inverse * n.E * -1.0;
+  n.own_da = n.J_inverse * n.E * -1.0;
 }
 
 /// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a unit moment makes, times 2/h².
@@ -89,7 +89,7 @@ inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
 inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.a, da) * 0.5) * n.c; }
 
 /// Puts the start of the step in the place of its end, but for momenta.
-inline void rest_at_start(Node& n) {
+inline void put_end_at_start(Node& n) {
   n.x1 = n.x0;
   n.q1 = n.q0;
   n.R1 = n.R0;

@@ -54,11 +54,11 @@ double MotionSpace::add_direction(Motions direction, double size_of_all,
 
 void MotionSpace::add_work(const std::vector<Motions>& impulses) {
   const auto n = static_cast<Eigen::Index>(directions.size());
-  work.conservativeResize(n, n);
+  galerkin.conservativeResize(n, n);
   for (Eigen::Index i = 0; i < n; i++) {
     const auto k = static_cast<std::size_t>(i);
-    work(i, n - 1) = product(directions[k], impulses.back());
-    work(n - 1, i) = product(directions.back(), impulses[k]);
+    galerkin(i, n - 1) = product(directions[k], impulses.back());
+    galerkin(n - 1, i) = product(directions.back(), impulses[k]);
   }
 }
 

@@ -25,11 +25,11 @@ void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 angular);
 /// A basis that grows, orthonormal, with the work that the impulses which each direction makes do along all.
 struct MotionSpace {
   std::vector<Motions> directions;
-  Eigen::MatrixXd work;  ///< [1/s] of the impulses of the column along the row
+  Eigen::MatrixXd galerkin;  ///< [1/s] of the impulses of the column along the row
 
   /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
-  /// forbidden, of a motion of size `size_of_all` [J^½]; how much of it was new. Where that is little, `allowed` takes out of it
-  /// what was left so, which else would be most of it.
+  /// forbidden, of a motion of size `size_of_all` [J^½]; how much of it was new. A small new part is projected again by
+  /// `allowed`: what earlier projections left forbidden would dominate it.
   double add_direction(Motions direction, double size_of_all, const std::function<Motions(const Motions&)>& allowed);
   /// The work of the impulses that the last direction makes, the last of `impulses` (directions), and that along it.
   void add_work(const std::vector<Motions>& impulses);

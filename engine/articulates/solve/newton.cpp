@@ -1,5 +1,5 @@
 // Newton's iteration on rotations and row forces together, with line backtracking, on a factor that is
-// kept while it serves, with a compliance that adapts. Residuals are lengths in metres.
+// kept while it serves, with a compliance that adapts. Sizes of residuals are lengths in metres.
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/prediction.hpp"
 
@@ -102,11 +102,11 @@ double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
 }
 
 /// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
-/// `change`. Returns the largest residual there [m].
+/// `da`. Returns the largest residual there [m].
 double evaluate_along(Articulate& a, double h, double fraction) {
   return evaluate(
       a, h, [&](std::size_t k) { a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction; },
-      [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].change * fraction; });
+      [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].da * fraction; });
 }
 
 /// The residual that counts as solved, and the size of its round-off, [m].
@@ -117,16 +117,16 @@ struct Goal {
 /// Where the iteration begins: predicted unknowns. Returns their largest residual [m].
 double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
   Prediction prediction(a, h);
-  Extent extent;
+  Largest of_nodes;
   const double e = evaluate(
       a, h, [&](std::size_t k) { prediction.row(k); },
       [&](std::size_t b) {
-        begin(a, b, h, extent);
+        begin(a, b, h, of_nodes);
         prediction.batch(b);
       });
   prediction.end();
-  const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
-  double largest = std::max(a.length, largest_lane(extent.position));
+  const double speed2 = std::max(norm(gravity) * a.length, largest_lane(of_nodes.speed2));
+  double largest = std::max(a.length, largest_lane(of_nodes.position));
   for (const Condition& c : a.conditions) largest = std::fmax(largest, c.extent);
   goal.round_off = 8e-16 * largest;
   const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
@@ -141,8 +141,8 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.right_side[k]; }), mean_arm(end));
   const Vec3x4& tau = load.torque;
   n.a_saved = n.a;
-  n.change = n.da + n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
-  return norm2(n.change);
+  n.da = n.own_da + n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+  return norm2(n.da);
 }
 
 /// Whether all nodes of a row are in batch b or later ones, through which a sweep against the order has been.
@@ -156,7 +156,7 @@ struct FullNewtonStep {
   double largest_turn, residual;
 };
 
-/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `change`, and moves the
+/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `da`, and moves the
 /// unknowns along it, from values that it saves: all in one sweep against the order of elimination.
 FullNewtonStep take_direction(Articulate& a, double h) {
   Lanes largest_turn = lanes(0.0);
@@ -171,7 +171,7 @@ FullNewtonStep take_direction(Articulate& a, double h) {
     for (; b > 0 && a.batches[b - 1].first_row == k; b--) {
       NodeBatch& n = a.batches[b - 1];
       largest_turn = larger(find_change(a, n, h), largest_turn);
-      n.a += n.change;
+      n.a += n.da;
       evaluation.batch(b - 1);
     }
     for (; placed > 0 && is_swept(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
@@ -228,7 +228,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
     if (!factor_of_attempt || !gains_enough) {
       old_uses = 0;
-      a.weak = factorise(a, system) && !a.tree;
+      a.weak = factorise(a, system) && !a.loop_free;
       a.factor_of = FactorOf::newton;
       factor_of_attempt = new_factor = true;
       report.factorisations++;

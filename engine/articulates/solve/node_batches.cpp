@@ -129,7 +129,7 @@ Mat3x4 rotations(const Articulate& a, std::size_t b, Mat3 Node::*R) {
   return packed;
 }
 
-void begin(Articulate& a, std::size_t b, double h, Extent& extent) {
+void begin(Articulate& a, std::size_t b, double h, Largest& largest) {
   NodeBatch& n = a.batches[b];
   const Mat3x4 R0 = rotations(a, b, &Node::R0);
   const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
@@ -142,8 +142,8 @@ void begin(Articulate& a, std::size_t b, double h, Extent& extent) {
   n.inertia_rate = congruent(R0, n.inertia * (2.0 / h));
   if (a.last_h != h) n.J_inverse = congruent(R0, n.inverse_inertia * (0.5 * h));
   for (RowEnds& end : ends_of(a, n)) end.r0 = R0 * end.l;
-  extent.speed2 = larger(norm2(p0) * n.inverse_mass * n.inverse_mass, extent.speed2);
-  for (const Lanes& x : {x0.x, x0.y, x0.z}) extent.position = larger(larger(x, -x), extent.position);
+  largest.speed2 = larger(norm2(p0) * n.inverse_mass * n.inverse_mass, largest.speed2);
+  for (const Lanes& x : {x0.x, x0.y, x0.z}) largest.position = larger(larger(x, -x), largest.position);
 }
 
 Vec3x4 start_spins(const Articulate& a, std::size_t b) {

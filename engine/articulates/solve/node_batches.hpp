@@ -41,11 +41,11 @@ Vec3x4 fetch(const RowEnds& end, What what) {
 /// R0 or R1 of the nodes.
 Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R);
 /// Squares of speeds [m²/s²], and largest coordinates [m].
-struct Extent {
+struct Largest {
   Lanes speed2 = lanes(0.0), position = lanes(0.0);
 };
 /// Prepares a step of `h` [s] from the nodes' starts, but for `a`.
-void begin(Articulate& articulate, std::size_t batch, double h, Extent& extent);
+void begin(Articulate& articulate, std::size_t batch, double h, Largest& largest);
 /// Spins at the start, world axes [rad/s].
 Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
 /// Sets arms at the start or end from the nodes, and hands their rows the positions.

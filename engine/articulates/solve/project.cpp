@@ -40,7 +40,9 @@ Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
   return zero3();
 }
 
-void find_kept(Articulate& a) {
+/// What each row forbids at the arms at hand: kept, wanted, worked_at; of couplings into_head and from_head. A row that gives
+/// way forbids nothing.
+void set_velocity_constraints(Articulate& a) {
   for (Condition& c : a.conditions) c.wanted = c.worked_at = c.velocity;
   if (a.all_rigid) return;
   for (Row& row : a.rows) {
@@ -101,7 +103,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
 
 /// What is driven was moved by the drift as fast as its residual says, and is as it is to be after: no tie that does not give
 /// loses energy where a prescribed velocity jumps. Returns by how much the fastest does [m/s].
-double work_at_means(Articulate& a) {
+double set_driven_work_velocities(Articulate& a) {
   double jump = 0.0;
   for (Condition& c : a.conditions) {
     if (!c.driven || !c.held_before) continue;
@@ -114,7 +116,7 @@ double work_at_means(Articulate& a) {
 /// Adds the work of the impulse of a row on what is prescribed.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
-  (row(a, c).lever > 0.0 ? work.turns : work.anchors) += dot(impulse, c.worked_at);
+  (row(a, c).lever > 0.0 ? work.angular_rows : work.anchors) += dot(impulse, c.worked_at);
 }
 
 /// Energy that what is prescribed may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
@@ -147,7 +149,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& before, cons
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
-  (anchors ? work.anchors : work.turns) = all;
+  (anchors ? work.anchors : work.angular_rows) = all;
   return work;
 }
 
@@ -176,9 +178,9 @@ void tell_momenta(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
 }
 
-void factorise_exactly(Articulate& a, double epsilon) {
+void factorise_projection(Articulate& a, double epsilon) {
   set_kept_matrices(a);
-  for (Node& n : a.nodes) rest_at_start(n);
+  for (Node& n : a.nodes) put_end_at_start(n);
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -311,12 +313,13 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   }
   if (a.touches) find_overdriven(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  find_kept(a);
+  set_velocity_constraints(a);
   bool reuse = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, reuse);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
-  constexpr double smooth = 1e-2;  // part of the speed: a jump by more is taken out exactly, and no half of it carried
-  const bool jumps = work_at_means(a) > smooth * speed;
+  // part of the speed: a jump by more is taken out exactly, and no half of it carried
+  constexpr double largest_carried_jump = 1e-2;
+  const bool jumps = set_driven_work_velocities(a) > largest_carried_jump * speed;
   if (jumps && std::exchange(reuse, false)) find_velocities(a, From::nodes);
   const double outside = report.outside();
   if (!reuse || !project_with_newton_factor(a, before, report)) {
@@ -325,7 +328,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     if (a.factor_of == FactorOf::projection)
       find_velocities(a, From::nodes, true);
     else
-      factorise_exactly(a, a.least_epsilon);
+      factorise_projection(a, a.least_epsilon);
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
     if (worked || strikes) {
       const Velocities after = find_velocities(a, From::batches);
@@ -357,17 +360,17 @@ namespace {
 
 /// Takes out what the rows that hold forbid; returns the work of what is prescribed.
 ImpulseWork take_out_forbidden(Articulate& a) {
-  find_kept(a);
+  set_velocity_constraints(a);
   const double driven = driven_energy(a);
   ImpulseWork work;
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
     std::fill(a.impulses.begin(), a.impulses.end(), zero3());
     Velocities v = find_velocities(a, From::nodes);
     const Velocities before = v;
-    work_at_means(a);
+    set_driven_work_velocities(a);
     if (v.forbidden <= 1e-13 * v.fastest) return work;
     const double sane = std::max(1.001 * v.kinetic, driven);
-    factorise_exactly(a, epsilon);
+    factorise_projection(a, epsilon);
     a.report.factorisations++;
     for (int i = 0; i < 3; i++) {
       const double last = v.forbidden;
@@ -422,32 +425,32 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   return work;
 }
 
-void find_forbidden(Articulate& a, double step, double at, double wanted_at) {
+void place_velocity_constraints(Articulate& a, double step, double at, double wanted_at) {
   set_conditions(a, step, at, at);
   const WantedVelocities wanted(a, step, wanted_at);
-  for (Node& n : a.nodes) rest_at_start(n);
+  for (Node& n : a.nodes) put_end_at_start(n);
   place_rows_at_end(a);
-  find_kept(a);
+  set_velocity_constraints(a);
 }
 
 void begin_answers(Articulate& a, double epsilon) {
   if (a.factor_of != FactorOf::projection) {
-    for (Node& n : a.nodes) rest_at_start(n);
+    for (Node& n : a.nodes) put_end_at_start(n);
     place_rows_at_end(a);
   }
-  find_kept(a);
+  set_velocity_constraints(a);
   if (a.factor_of == FactorOf::projection) return;
-  factorise_exactly(a, std::max(epsilon, a.least_epsilon));
+  factorise_projection(a, std::max(epsilon, a.least_epsilon));
   a.factor_of = FactorOf::projection;
 }
 
-void drive_as_now(Articulate& a) {
-  constexpr double smooth = 0.1;  // part of the speed
+void keep_driven_velocities(Articulate& a) {
+  constexpr double largest_kept_jump = 0.1;  // part of the speed
   find_velocities(a, From::batches);
   for (Condition& c : a.conditions) {
     const Vec3 now = c.wanted + row(a, c).residual;
     const double fastest = std::max({norm(c.wanted), norm(now), norm(c.velocity)});
-    if (c.driven && norm(now - c.wanted) > smooth * fastest) c.wanted = c.worked_at = now;
+    if (c.driven && norm(now - c.wanted) > largest_kept_jump * fastest) c.wanted = c.worked_at = now;
   }
 }
 

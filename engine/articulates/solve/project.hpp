@@ -26,7 +26,7 @@ ImpulseWork make_consistent(Articulate& articulate, double time, double struck_f
 
 /// Puts rows where nodes start, at a moment `at` (0 … 1) of the scene's step, `step` [s], and finds which velocities they forbid
 /// there, if anchors move as at `wanted_at`: Condition::kept and wanted, RowEnds::r1.
-void find_forbidden(Articulate& articulate, double step, double at, double wanted_at);
+void place_velocity_constraints(Articulate& articulate, double step, double at, double wanted_at);
 
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
 /// their factor with a compliance `epsilon` at least, unless the articulate has one.
@@ -36,6 +36,6 @@ void begin_answers(Articulate& articulate, double epsilon);
 ImpulseWork answer(Articulate& articulate);
 /// After `begin_answers`: makes what is driven, and is to jump, stay as fast as it is in the batches now: answers are then to
 /// what comes alone.
-void drive_as_now(Articulate& articulate);
+void keep_driven_velocities(Articulate& articulate);
 
 }  // namespace pantin

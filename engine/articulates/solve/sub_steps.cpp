@@ -19,9 +19,9 @@ constexpr double faster = 1.1;     // than at the last trial: then there is anot
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
 
-/// An error so small counts as quiet: half as many sub-steps have `fall` times as much, and need some room.
-bool is_quiet(const SubSteps& n, double rate, double accuracy, double fall) {
-  return n.count > 1 && 2.0 * fall * rate <= accuracy;
+/// An error so small counts as quiet: half as many sub-steps have `error_ratio` times as much, and need some room.
+bool is_quiet(const SubSteps& n, double rate, double accuracy, double error_ratio) {
+  return n.count > 1 && 2.0 * error_ratio * rate <= accuracy;
 }
 
 /// Whether a trial is due by time. Where a number has been quiet for long, half of it is tried.
@@ -95,22 +95,23 @@ struct Tried {
 };
 
 /// After a `thing` was moved from `start` by n sub-steps: doubles them until the error over h [s] is small enough. With twice as
-/// many it falls `fall` times.
+/// many it falls `error_ratio` times.
 template <class Thing, class Move, class Difference>
 Tried double_sub_steps(Thing& thing, const Thing& start, Thing& other, SubSteps& n, double h, double accuracy,
-                       double fall, Move move, Difference differ) {
+                       double error_ratio, Move move, Difference differ) {
   const auto passed = static_cast<std::uint16_t>(n.wait - n.left);
   n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
   for (;;) {
     other = start;
     move(other, 2u * n.count);
-    const double rate = fall / (fall - 1.0) * differ(thing, other) / std::fabs(h);
+    const double rate = error_ratio / (error_ratio - 1.0) * differ(thing, other) / std::fabs(h);
     if (rate > accuracy && n.count < sub_step_limit) {
       n = {static_cast<std::uint16_t>(2 * n.count), 0, 1, 0, n.turn};
       std::swap(thing, other);
       continue;
     }
-    n.quiet = is_quiet(n, rate, accuracy, fall) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
+    n.quiet =
+        is_quiet(n, rate, accuracy, error_ratio) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
     n.left = n.wait;
     return {rate, !(rate > accuracy)};
   }
@@ -195,10 +196,10 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
     move(node, n.count);
     return 1.0 / std::fabs(h);
   }
-  const double fall = norm2(node.torque) > 0.0 ? second_order : fourth_order;
+  const double error_ratio = norm2(node.torque) > 0.0 ? second_order : fourth_order;
   Node start = node, other;
   move(node, n.count);
-  const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, fall, move,
+  const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, error_ratio, move,
                                        [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
   n.turn = static_cast<float>(norm(start.O0) * std::fabs(h) / n.count);
   return tried.reached ? 0.0 : tried.rate;

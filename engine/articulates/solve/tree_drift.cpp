@@ -15,11 +15,11 @@ namespace {
 
 // Steps that stability may ask for in a stage, for each sub-step that the implicit step takes there: these cost more.
 constexpr double most_per_stage = 2.0;
-constexpr std::uint16_t calm_enough = 16;  // stages
+constexpr std::uint16_t stages_until_tree = 16;
 
 /// Whether its rows are those of a tree: hinges and nails.
 bool is_tree_of_hinges(const Articulate& a) {
-  return a.tree && a.all_rigid && !a.plane.flat() && !a.rows.empty() &&
+  return a.loop_free && a.all_rigid && !a.plane.flat() && !a.rows.empty() &&
          std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.lever == 0.0; });
 }
 
@@ -35,7 +35,7 @@ std::shared_ptr<const Tree> tree_of(const Articulate& a) {
 }
 
 /// Whether nothing that it is nailed to moves, and only gravity acts on its nodes.
-bool stands_free(const Articulate& a, Vec3 gravity) {
+bool only_gravity_acts(const Articulate& a, Vec3 gravity) {
   const auto stays = [](const Condition& c) {
     return same(c.whole0, c.whole1) && c.bent == Bent::nothing && norm2(c.velocity) == 0.0;
   };
@@ -45,19 +45,19 @@ bool stands_free(const Articulate& a, Vec3 gravity) {
          std::all_of(a.nodes.begin(), a.nodes.end(), falls);
 }
 
-/// What the nodes are before and after, and what is summed over them.
-struct Whole {
+/// Sums over the nodes.
+struct TreeSums {
   double kinetic = 0.0;                              // [J]
   Vec3 momentum = zero3(), mass_position = zero3();  // [kg m/s], [kg m]
 };
-Whole whole_of(const Articulate& a) {
-  Whole w;
+TreeSums sums_of(const Articulate& a) {
+  TreeSums sums;
   for (const Node& n : a.nodes) {
-    w.kinetic += kinetic_energy(n);
-    w.momentum += n.p0;
-    w.mass_position += n.x0 * n.mass;
+    sums.kinetic += kinetic_energy(n);
+    sums.momentum += n.p0;
+    sums.mass_position += n.x0 * n.mass;
   }
-  return w;
+  return sums;
 }
 
 const Node& node(const Articulate& a, std::int32_t i) { return a.nodes[static_cast<std::size_t>(i)]; }
@@ -71,26 +71,26 @@ struct Forbidden {
 };
 Forbidden forbidden_of(const Articulate& a) {
   Forbidden f;
-  for (const Tree::Step& s : a.as_tree->steps) {
-    const Node& to = node(a, s.to);
-    Vec3 rate = velocity(to) + cross(spin(to), to.R0 * s.to_arm);
-    if (s.from >= 0) {
-      const Node& from = node(a, s.from);
-      rate -= velocity(from) + cross(spin(from), from.R0 * s.from_arm);
+  for (const Tree::Placement& p : a.as_tree->placements) {
+    const Node& child = node(a, p.child);
+    Vec3 rate = velocity(child) + cross(spin(child), child.R0 * p.child_arm);
+    if (p.parent >= 0) {
+      const Node& parent = node(a, p.parent);
+      rate -= velocity(parent) + cross(spin(parent), parent.R0 * p.parent_arm);
     }
     f.velocity = std::max(f.velocity, norm2(rate));
-    f.fastest = std::max(f.fastest, norm2(velocity(to)));
+    f.fastest = std::max(f.fastest, norm2(velocity(child)));
   }
   return {std::sqrt(f.velocity), std::sqrt(f.fastest)};
 }
 
 /// The tree's velocities are those that no hinge forbids: what the implicit step left of others is taken out. The energy of
 /// that goes to where the rest of the projection does.
-void make_fit(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+void project_onto_tree(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   const Forbidden f = forbidden_of(a);
   if (f.velocity <= 1e-13 * f.fastest) return;
   const double before = kinetic_energy(a);
-  make_consistent_after_edit(a, settings.step, settings.from);
+  make_start_consistent(a, settings.step, settings.from);
   report.projected += kinetic_energy(a) - before;
   if (settings.energy_return) report.returned += return_energy(a, before, settings.gravity);
 }
@@ -98,12 +98,12 @@ void make_fit(Articulate& a, const DriftSettings& settings, DriftReport& report)
 void read_nodes(Articulate& a) {
   TreeState& state = a.course.end;
   state.resize(a.as_tree->batches.size());
-  for (Turning4& t : state) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
+  for (Rotation4& t : state) t = {{lanes(1.0), lanes(0.0), lanes(0.0), lanes(0.0)}, zero3x4()};
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node& n = a.nodes[i];
     if (!n.turns) continue;
     const std::uint32_t slot = a.as_tree->slots[i];
-    Turning4& t = state[slot / batch_size];
+    Rotation4& t = state[slot / batch_size];
     const std::size_t lane = slot % batch_size;
     t.q.w[lane] = n.q0.w;
     t.q.x[lane] = n.q0.x;
@@ -119,7 +119,7 @@ void turn_nodes(Articulate& a, const TreeState& state) {
     Node& n = a.nodes[i];
     if (!n.turns) continue;
     const std::uint32_t slot = a.as_tree->slots[i];
-    const Turning4& t = state[slot / batch_size];
+    const Rotation4& t = state[slot / batch_size];
     const std::size_t lane = slot % batch_size;
     n.q0 = {t.q.w[lane], t.q.x[lane], t.q.y[lane], t.q.z[lane]};
     n.R0 = matrix(n.q0);
@@ -135,30 +135,30 @@ void place_nodes(Articulate& a) {
     a.nodes[0].x0 = zero3();
     a.nodes[0].p0 = zero3();
   }
-  for (const Tree::Step& s : a.as_tree->steps) {
-    Row& row = a.rows[s.hinge];
-    Node& to = node(a, s.to);
+  for (const Tree::Placement& p : a.as_tree->placements) {
+    Row& row = a.rows[p.hinge];
+    Node& child = node(a, p.child);
     Vec3 x, v = zero3();
-    if (s.from < 0) {
+    if (p.parent < 0) {
       x = condition(a, row).whole1;
     } else {
-      const Node& from = node(a, s.from);
-      const Vec3 r = from.R0 * s.from_arm;
-      x = from.x0 + r;
-      v = velocity(from) + cross(spin(from), r);
+      const Node& parent = node(a, p.parent);
+      const Vec3 r = parent.R0 * p.parent_arm;
+      x = parent.x0 + r;
+      v = velocity(parent) + cross(spin(parent), r);
     }
-    const Vec3 r = to.R0 * s.to_arm;
-    to.x0 = x - r;
-    to.p0 = (v - cross(spin(to), r)) * to.mass;
-    row.d1 = row.a == s.to ? to.x0 + r - x : x - (to.x0 + r);
+    const Vec3 r = child.R0 * p.child_arm;
+    child.x0 = x - r;
+    child.p0 = (v - cross(spin(child), r)) * child.mass;
+    row.d1 = row.a == p.child ? child.x0 + r - x : x - (child.x0 + r);
     a.gaps.unaccepted = std::max(a.gaps.unaccepted, norm(row.d1));
   }
   a.gaps.points = a.residual = a.gaps.unaccepted;
 }
 
 /// Where nothing holds it, its centre falls.
-void fall(Articulate& a, const Whole& before, Vec3 gravity, double h) {
-  const Whole now = whole_of(a);
+void fall(Articulate& a, const TreeSums& before, Vec3 gravity, double h) {
+  const TreeSums now = sums_of(a);
   const Vec3 v = (before.momentum - now.momentum) / a.total_mass + gravity * h;
   const Vec3 x =
       (before.mass_position - now.mass_position + before.momentum * h) / a.total_mass + gravity * (0.5 * h * h);
@@ -171,12 +171,12 @@ void fall(Articulate& a, const Whole& before, Vec3 gravity, double h) {
 /// Mean forces of the hinges over h [s], by what momentum is beyond them. `before`: (nodes) [kg m/s].
 void tell_forces(Articulate& a, std::vector<Vec3>& before, double h) {
   for (std::size_t i = 0; i < a.nodes.size(); i++) before[i] = (a.nodes[i].p0 - before[i]) / h - a.nodes[i].force;
-  const std::vector<Tree::Step>& steps = a.as_tree->steps;
-  for (std::size_t k = steps.size(); k-- > 0;) {
-    const Vec3 f = before[static_cast<std::size_t>(steps[k].to)];
-    Row& row = a.rows[steps[k].hinge];
-    row.f = row.a == steps[k].to ? f : -f;
-    if (steps[k].from >= 0) before[static_cast<std::size_t>(steps[k].from)] += f;
+  const std::vector<Tree::Placement>& placements = a.as_tree->placements;
+  for (std::size_t k = placements.size(); k-- > 0;) {
+    const Vec3 f = before[static_cast<std::size_t>(placements[k].child)];
+    Row& row = a.rows[placements[k].hinge];
+    row.f = row.a == placements[k].child ? f : -f;
+    if (placements[k].parent >= 0) before[static_cast<std::size_t>(placements[k].parent)] += f;
   }
 }
 
@@ -206,10 +206,11 @@ double own_rate2_of_rows(const Articulate& a) {
 
 /// Whether an articulate that the implicit step has moved is to go on by its tree.
 bool may_enter(Articulate& a, double h) {
-  if (a.calm == 0) return true;  // it never was too stiff
-  a.calm = is_too_stiff(a, own_rate2_of_rows(a), h, 0.7 * most_per_stage) ? std::uint16_t{1}
-                                                                          : static_cast<std::uint16_t>(a.calm + 1);
-  return a.calm > calm_enough;
+  if (a.stages_not_stiff == 0) return true;  // it never was too stiff
+  a.stages_not_stiff = is_too_stiff(a, own_rate2_of_rows(a), h, 0.7 * most_per_stage)
+                           ? std::uint16_t{1}
+                           : static_cast<std::uint16_t>(a.stages_not_stiff + 1);
+  return a.stages_not_stiff > stages_until_tree;
 }
 
 /// The implicit step has no history of what comes now.
@@ -217,54 +218,55 @@ void forget_implicit_step(Articulate& a) {
   a.factor_of = FactorOf::none;
   a.weak = a.sums_impulses = a.lowered = false;
   a.smooth = true;
-  a.last_h = a.symmetric_h = a.exerted_time = a.arrived = 0.0;
+  a.last_h = a.symmetric_h = a.exerted_time = a.moved_to = 0.0;
   a.by_tree = true;
-  a.calm = 0;
+  a.stages_not_stiff = 0;
 }
 
 }  // namespace
 
-bool drift_as_tree(Articulate& a, const DriftSettings& settings, double accuracy, TreeWork& work, DriftReport& report) {
+bool drift_as_tree(Articulate& a, const DriftSettings& settings, double accuracy, TreeWorkspace& workspace,
+                   DriftReport& report) {
   const bool goes_on = std::exchange(a.by_tree, false) && !a.edited;
   if (!a.tree_sought) {
     a.as_tree = tree_of(a);
     a.tree_sought = true;
   }
-  if (!a.as_tree || !stands_free(a, settings.gravity)) return false;
+  if (!a.as_tree || !only_gravity_acts(a, settings.gravity)) return false;
   const Tree& tree = *a.as_tree;
   const double h = settings.step * (settings.to - settings.from);
   TreeCost cost;
   if (!goes_on) {
     if (!may_enter(a, h)) return false;
     if (a.edited) {
-      const EnergyOfConsistency gave = make_consistent_after_edit(a, settings.step, settings.from);
+      const EnergyOfConsistency gave = make_start_consistent(a, settings.step, settings.from);
       report.after_edit += gave.tied;
       report.limit += gave.stopped;
     }
-    make_fit(a, settings, report);
+    project_onto_tree(a, settings, report);
     read_nodes(a);
-    begin_course(tree, work, a.course, settings.gravity, cost);
+    begin_course(tree, workspace, a.course, settings.gravity, cost);
   }
-  const TreeWish wish{accuracy * a.length, h / sub_step_limit, 32.0 * settings.step};
+  const StepControl control{accuracy * a.length, h / sub_step_limit, 32.0 * settings.step};
   if (is_too_stiff(a, a.course.own_rate2, h, most_per_stage) ||
-      !advance(tree, work, a.course, h, settings.gravity, wish, cost)) {
-    a.calm = 1;
+      !advance(tree, workspace, a.course, h, settings.gravity, control, cost)) {
+    a.stages_not_stiff = 1;
     report.evaluations += cost.evaluations;
     return false;
   }
   report.evaluations += cost.evaluations;
   if (cost.missed > 0.0) report.unreached = cost.missed / a.length;
   const bool summed = settings.ledger || !tree.anchored;
-  const Whole before = summed ? whole_of(a) : Whole{};
-  work.momenta.resize(a.nodes.size());
-  for (std::size_t i = 0; i < a.nodes.size(); i++) work.momenta[i] = a.nodes[i].p0;
-  read_present(a.course, work.stage);
-  turn_nodes(a, work.stage);
+  const TreeSums before = summed ? sums_of(a) : TreeSums{};
+  workspace.momenta.resize(a.nodes.size());
+  for (std::size_t i = 0; i < a.nodes.size(); i++) workspace.momenta[i] = a.nodes[i].p0;
+  read_present(a.course, workspace.present);
+  turn_nodes(a, workspace.present);
   place_nodes(a);
   if (!tree.anchored) fall(a, before, settings.gravity, h);
-  tell_forces(a, work.momenta, h);
+  tell_forces(a, workspace.momenta, h);
   if (settings.ledger) {
-    const Whole now = whole_of(a);
+    const TreeSums now = sums_of(a);
     report.inexact += now.kinetic - before.kinetic - dot(settings.gravity, now.mass_position - before.mass_position);
   }
   forget_implicit_step(a);

@@ -7,8 +7,9 @@ namespace pantin {
 
 /// Moves a loaded articulate by its tree over the stage, with an `accuracy` [1/s]: the largest local error of a point per
 /// second, relative to the articulate's length. Nothing but its rows and gravity may act on it. `by_tree` tells that it is where its
-/// tree has left it. False, and nothing is moved, where it is no tree of hinges, or too stiff.
-bool drift_as_tree(Articulate& articulate, const DriftSettings& settings, double accuracy, TreeWork& work,
+/// tree has left it. False, and nothing is moved, where it is no tree of hinges, or too stiff; velocities may have been made
+/// consistent.
+bool drift_as_tree(Articulate& articulate, const DriftSettings& settings, double accuracy, TreeWorkspace& workspace,
                    DriftReport& report);
 
 }  // namespace pantin
