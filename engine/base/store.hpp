@@ -75,10 +75,10 @@ class Store {
 
   void remove(Id id, Obituary obituary) {
     (void)(*this)[id];
-    Slot& s = slots_[id.slot - 1];
     obituary.generation = id.generation;
-    s.obituary = std::move(obituary);
-    s.alive = false;
+    if (obituaries_.size() < id.slot) obituaries_.resize(id.slot);
+    obituaries_[id.slot - 1] = std::move(obituary);
+    slots_[id.slot - 1].alive = false;
     rows_[id.slot - 1] = Row{};
     free_.push_back(id.slot - 1);
     size_--;
@@ -107,8 +107,9 @@ class Store {
     if (!generations_.known(id.slot - 1, id.generation)) return "this handle was never given out by this world";
     if (id.slot > slots_.size() || id.generation > slots_[id.slot - 1].generation)
       return "this was made after the moment that was restored, and is gone with what came after it";
-    const Obituary& o = slots_[id.slot - 1].obituary;
-    if (o.generation != id.generation) return "this was removed long ago, and its slot has been used again since";
+    if (id.slot > obituaries_.size() || obituaries_[id.slot - 1].generation != id.generation)
+      return "this was removed long ago, and its slot has been used again since";
+    const Obituary& o = obituaries_[id.slot - 1];
     return text(o.what, " was removed at ", o.time, " s by ", o.who);
   }
 
@@ -129,10 +130,10 @@ class Store {
   struct Slot {
     bool alive = false;
     std::uint32_t generation = 0;
-    Obituary obituary;
   };
   std::vector<Row> rows_;
   std::vector<Slot> slots_;
+  std::vector<Obituary> obituaries_;  ///< (slots, up to the last that a row was removed from)
   std::vector<std::uint32_t> free_;
   Generations generations_;
   std::size_t size_ = 0;

@@ -11,7 +11,8 @@ using namespace internal;
 namespace {
 
 void check(const World& world, const std::string& call, const PointDef& def) {
-  attribute_values(call, def.family ? world.families[def.family] : Family{}, def.attributes);
+  const Family none;
+  attribute_values(call, def.family ? world.families[def.family] : none, def.attributes);
   require_finite(call, "position", def.at, "m");
   require_not_negative(call, "mass", def.mass, "kg");
   require_not_negative(call, "radius", def.radius, "m");
@@ -29,7 +30,7 @@ Point row_of(const PointDef& def, Color usual, BodyId body) {
 }
 
 PointId make_body_point(World& world, const PointDef& def, Color usual, BodyId body) {
-  const Family family = def.family ? world.families[def.family] : Family{};
+  const Family none, &family = def.family ? world.families[def.family] : none;
   const PointId point = make_point(world, row_of(def, family.color.value_or(usual), body));
   Particle& particle = world.particles[world.points[point].own];
   particle.family = def.family;
@@ -78,7 +79,7 @@ void start(World& world, BodyId id, const BodyDef& def, const Quat& frame) {
 ParticleId add_particle(World& world, const ParticleDef& def) {
   const std::string call = def.name.empty() ? "particle" : text("particle '", def.name, "'");
   require_unlocked(world, call);
-  const Family family = def.family ? world.families[def.family] : Family{};
+  const Family none, &family = def.family ? world.families[def.family] : none;
   const double mass = def.mass.value_or(family.mass.value_or(1.0));
   const double radius = def.radius.value_or(family.radius.value_or(0.05));
   require_finite(call, "at", def.at, "m");

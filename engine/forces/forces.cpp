@@ -11,6 +11,7 @@
 #include "forces/solved.hpp"
 #include "laws/draws_noise.hpp"
 #include "laws/machine_code.hpp"
+#include "world/share_blocks.hpp"
 
 namespace pantin {
 
@@ -38,7 +39,7 @@ void keep_in_plane(const Plane& plane, Sites& sites) {
 }
 
 double run_still_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
-  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+  share_each(world, f.sites.force.size(), [&](std::size_t i) { f.sites.force[i] = zero3(); });
   if (f.nonconservative) std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
   return run_laws(world, f, instant, with_energy);
 }

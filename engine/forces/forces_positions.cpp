@@ -3,6 +3,7 @@
 
 #include "articulates/articulate.hpp"
 #include "forces/forces_parts.hpp"
+#include "world/share_blocks.hpp"
 
 namespace pantin {
 
@@ -30,8 +31,9 @@ ReceiverState state_of(const World& world, const Receiver& m, bool drifted) {
 Box box_of(const World& world) { return {world.settings.box.value_or(zero3())}; }
 
 void read_velocities(const World& world, Forces& f, bool drifted) {
-  for (std::size_t i = 0; i < f.sites.n; i++)
+  share_each(world, f.sites.n, [&](std::size_t i) {
     if (f.point[i] != Forces::none) f.sites.v[i] = world.free_motion[f.point[i]].v;
+  });
   for (Attached& a : f.attached) {
     const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
     f.sites.v[a.site] = state.v + cross(state.spin, a.r);
@@ -39,8 +41,9 @@ void read_velocities(const World& world, Forces& f, bool drifted) {
 }
 
 void read_positions(const World& world, Forces& f, bool drifted) {
-  for (std::size_t i = 0; i < f.sites.n; i++)
+  share_each(world, f.sites.n, [&](std::size_t i) {
     if (f.point[i] != Forces::none) f.sites.x[i] = world.free_motion[f.point[i]].x - f.image[i];
+  });
   for (Attached& a : f.attached) {
     const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
     a.r = rotate(state.q, a.arm);

@@ -8,6 +8,7 @@
 #include "forces/receiver_momenta.hpp"
 #include "forces/tied_kick.hpp"
 #include "forces/velocity_kick.hpp"
+#include "world/share_blocks.hpp"
 
 namespace pantin {
 
@@ -47,17 +48,19 @@ bool allowed_after(const World& world) { return rule_of(world).conserves && worl
 
 NonconservativeWork kick_points(World& world, Forces& f, double half) {
   NonconservativeWork work;
+  FreeMotion* motion = world.free_motion.data();
+  if (!f.nonconservative) {
+    share_each(world, f.sites.n, [&](std::size_t i) {
+      if (f.point[i] != Forces::none) motion[f.point[i]].v += f.sites.force[i] * (f.inverse_mass[i] * half);
+    });
+    return work;
+  }
   const Vec3 fallen =
       world.settings.gravity * (0.5 * half);  // gravity has had its part of the kick: it is in both halves
   double with_gravity = 0.0;
-  FreeMotion* motion = world.free_motion.data();
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.point[i] == Forces::none) continue;
     Vec3& v = motion[f.point[i]].v;
-    if (!f.nonconservative) {
-      v += f.sites.force[i] * (f.inverse_mass[i] * half);
-      continue;
-    }
     const Vec3 open = f.sites.nonconservative_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
     const Vec3 damping = damping_of(f, i), mean = v + change * 0.5 - fallen;
     with_gravity += dot(open, fallen) * half;
@@ -66,7 +69,7 @@ NonconservativeWork kick_points(World& world, Forces& f, double half) {
     // What is stopped is as it was solved: the sum would round it.
     v = f.velocity_dependent && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
   }
-  if (f.nonconservative) post_falling(world, with_gravity);
+  post_falling(world, with_gravity);
   return work;
 }
 

@@ -43,12 +43,9 @@ SubStepSettings sub_step_settings(const World& world) {
 }
 
 void drift_points(World& world) {
-  constexpr std::size_t enough = 4096;
-  share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t i = first; i < last; i++) {
-      FreeMotion& m = world.free_motion[world.loose_points[i]];
-      m.x += m.v * world.stage.h;
-    }
+  share_each(world, world.loose_points.size(), [&](std::size_t i) {
+    FreeMotion& m = world.free_motion[world.loose_points[i]];
+    m.x += m.v * world.stage.h;
   });
 }
 

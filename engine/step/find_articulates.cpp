@@ -10,6 +10,7 @@
 #include "forces/solved.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
+#include "world/share_blocks.hpp"
 
 namespace pantin::phases {
 
@@ -22,8 +23,8 @@ void read_masses(World& world) {
 
 void save_loose(World& world) {
   world.saved_points.resize(world.loose_points.size());
-  for (std::size_t i = 0; i < world.loose_points.size(); i++)
-    world.saved_points[i] = world.free_motion[world.loose_points[i]];
+  share_each(world, world.loose_points.size(),
+             [&](std::size_t i) { world.saved_points[i] = world.free_motion[world.loose_points[i]]; });
   world.saved_motion.clear();
   for (std::uint32_t slot : world.loose_bodies) world.saved_motion.push_back(world.motion[slot]);
 }

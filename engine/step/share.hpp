@@ -3,21 +3,9 @@
 
 #include "articulates/articulate.hpp"
 #include "base/parallel.hpp"
-#include "base/subnormals.hpp"
-#include "world/world.hpp"
+#include "world/share_blocks.hpp"
 
 namespace pantin::phases {
-
-/// Calls f(first, last, worker) for blocks of `count` things, among the world's threads; a thread takes at least `enough` of them.
-template <class F>
-void share_blocks(World& world, std::size_t count, std::size_t enough, F&& f) {
-  constexpr std::size_t most_blocks = 64;
-  const std::size_t blocks = world.workers->count() == 1 ? 1 : std::clamp<std::size_t>(count / enough, 1, most_blocks);
-  world.workers->run(blocks, [&](std::size_t block, int worker) {
-    const SubnormalsAreZero subnormals_are_zero;
-    f(count * block / blocks, count * (block + 1) / blocks, worker);
-  });
-}
 
 /// Calls f(articulate, worker) for each, among the world's threads where there is enough to do. What f does must concern its
 /// articulate, and the model's rows of that articulate's things, only.

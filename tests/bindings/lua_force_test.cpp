@@ -76,6 +76,17 @@ TEST_CASE("a law is traced once for the same names") {
   });
 }
 
+TEST_CASE("connections of particles of no family share a law") {
+  const auto scene = open(R"(local law = force.pair { potential = function(r, a) return a.mass * r^2 end }
+local p, q = scene:particle { at = vec(0, 0, 0) }, scene:particle { at = vec(1, 0, 0) }
+scene:connect(p, q, law)
+scene:connect(q, scene:particle { at = vec(2, 0, 0) }, law))");
+  const World& world = scene->world();
+  const std::vector<ConnectionId> ids = world.connections.ids();
+  REQUIRE(ids.size() == 2);
+  CHECK(world.connections[ids[0]].law == world.connections[ids[1]].law);
+}
+
 TEST_CASE("laws of the library are made by name, with their parameters checked") {
   const auto spring = resolve("law = force.spring { stiffness = 100, length = 2, damping = 3 }");
   REQUIRE(spring.resolved.laws.size() == 2);

@@ -1,9 +1,14 @@
 #include "base/functions.hpp"
 
+#include <sleef.h>
+
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "base/random.hpp"
 
 using namespace pantin;
 
@@ -58,4 +63,17 @@ TEST_CASE("bad numbers stay bad") {
   CHECK(std::isnan(functions::exp(nan)));
   CHECK(functions::exp(-infinity) == 0.0);
   CHECK(functions::exp(1000.0) == infinity);
+}
+
+TEST_CASE("a power has the bits of the variant for single numbers") {
+  Random random{3, 0};
+  for (int i = 0; i < 20000; i++) {
+    const double size = std::ldexp(0.5 + random.uniform(), static_cast<int>(120.0 * random.uniform()) - 60);
+    const double x = random.uniform() < 0.3 ? -size : size, whole = std::floor(40.0 * random.uniform()) - 20.0;
+    const double y = random.uniform() < 0.5 ? whole : 40.0 * random.uniform() - 20.0;
+    CAPTURE(x, y);
+    const double mine = functions::pow(x, y), other = Sleef_cinz_powd1_u10purec(x, y);
+    REQUIRE((std::bit_cast<std::uint64_t>(mine) == std::bit_cast<std::uint64_t>(other) ||
+             (std::isnan(mine) && std::isnan(other))));
+  }
 }

@@ -37,9 +37,21 @@ Vec<A> vec_operand(const A& algebra, lua_State* state, int index, const char* op
   return *v;
 }
 
+/// Does it where both operands are numbers, as they mostly are.
+template <class A, class Operation>
+bool push_of_numbers(const A& algebra, lua_State* state, Operation operation) {
+  const auto a = algebra.read(state, 1);
+  if (!a) return false;
+  const auto b = algebra.read(state, 2);
+  if (!b) return false;
+  algebra.push(state, (algebra.*operation)(*a, *b));
+  return true;
+}
+
 template <class A>
 int add(lua_State* state) {
   const A algebra(state);
+  if (push_of_numbers(algebra, state, &A::add)) return 1;
   if (is_vec(state, 1) || is_vec(state, 2)) {
     const auto a = vec_operand(algebra, state, 1, "+"), b = vec_operand(algebra, state, 2, "+");
     algebra.push_vec(state, {algebra.add(a[0], b[0]), algebra.add(a[1], b[1]), algebra.add(a[2], b[2])});
@@ -52,6 +64,7 @@ int add(lua_State* state) {
 template <class A>
 int subtract(lua_State* state) {
   const A algebra(state);
+  if (push_of_numbers(algebra, state, &A::subtract)) return 1;
   if (is_vec(state, 1) || is_vec(state, 2)) {
     const auto a = vec_operand(algebra, state, 1, "-"), b = vec_operand(algebra, state, 2, "-");
     algebra.push_vec(state, {algebra.subtract(a[0], b[0]), algebra.subtract(a[1], b[1]), algebra.subtract(a[2], b[2])});
@@ -69,6 +82,7 @@ void push_scaled(const A& algebra, lua_State* state, const Vec<A>& v, const type
 template <class A>
 int multiply(lua_State* state) {
   const A algebra(state);
+  if (push_of_numbers(algebra, state, &A::multiply)) return 1;
   const bool first = is_vec(state, 1), second = is_vec(state, 2);
   require(!(first && second), "vec * vec could mean two things: write a:dot(b) or a:cross(b)");
   if (!first && !second) {
@@ -84,6 +98,7 @@ int multiply(lua_State* state) {
 template <class A>
 int divide(lua_State* state) {
   const A algebra(state);
+  if (push_of_numbers(algebra, state, &A::divide)) return 1;
   if (!is_vec(state, 1) && !is_vec(state, 2)) {
     algebra.push(state, algebra.divide(operand(algebra, state, 1), operand(algebra, state, 2)));
     return 1;
@@ -357,7 +372,10 @@ int operate(lua_State* state, VecOperation operation) {
 }  // namespace
 
 void set_algebra_metatable(lua_State* state, Tag tag) {
-  push_metatable(state, tag);
+  if (lua_gettop(state) > 1 && tag_of(state, 1) == tag)  // mostly an operand, whose is at hand
+    lua_getmetatable(state, 1);
+  else
+    push_metatable(state, tag);
   lua_setmetatable(state, -2);
 }
 

@@ -6,8 +6,12 @@
 namespace pantin::lua {
 
 std::shared_ptr<const Curve> curve_of(lua_State* state, int index, const std::string& what, const std::string& name) {
-  LawFunction function{
-      Callback(state, index), name == "color" ? LawForm::color_curve : LawForm::number_curve, 0, {}, {}, true};
+  LawFunction function{Callback(state, index),
+                       name == "color" ? LawForm::color_curve : LawForm::number_curve,
+                       0,
+                       {},
+                       {KnownNames{}},
+                       true};
   function.def.name = name;
   const Traced traced = trace(Runtime::of(state), function);
   require(traced.refusal.empty(), what, ": ", name,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/check.hpp"
 #include "base/functions.hpp"
@@ -59,7 +58,7 @@ Dual read_data(const DualData& data, std::size_t part) {
   const double* values = data.values() + part * static_cast<std::size_t>(1 + data.count);
   Dual x(values[0]);
   x.count = data.count;
-  std::memcpy(x.rate.data(), values + 1, static_cast<std::size_t>(data.count) * sizeof(double));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(data.count); i++) x.rate[i] = values[1 + i];
   return x;
 }
 
@@ -73,9 +72,12 @@ Dual Dual::variable(double value, int which, int of) {
 }
 
 std::optional<Dual> DualAlgebra::read(lua_State* state, int index) const {
-  if (lua_type(state, index) == LUA_TNUMBER) return Dual(lua_tonumber(state, index));
-  if (tag_of(state, index) != Tag::dual) return {};
-  return read_data(*static_cast<const DualData*>(lua_touserdata(state, index)), 0);
+  const int type = lua_type(state, index);
+  if (type == LUA_TNUMBER) return Dual(lua_tonumber(state, index));
+  if (type != LUA_TUSERDATA) return {};
+  const auto& data = *static_cast<const DualData*>(lua_touserdata(state, index));
+  if (data.tag != Tag::dual) return {};
+  return read_data(data, 0);
 }
 
 std::optional<std::array<Dual, 3>> DualAlgebra::read_vec(lua_State* state, int index) const {

@@ -1,6 +1,7 @@
 #pragma once
 // A number with its derivatives: how the force of a potential that cannot be traced is had, exact to round-off.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
 #include <optional>
@@ -20,6 +21,14 @@ struct Dual {
 
   Dual() = default;
   Dual(double v) : value(v) {}
+  Dual(const Dual& other) { *this = other; }
+  Dual& operator=(const Dual& other) {
+    value = other.value;
+    count = other.count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i++) rate[i] = other.rate[i];
+    return *this;
+  }
+  ~Dual() = default;
   /// The variable `which` of `of`.
   static Dual variable(double value, int which, int of);
   double slope(int i) const { return i < count ? rate[static_cast<std::size_t>(i)] : 0.0; }

@@ -1,6 +1,7 @@
 #include "lua/law/fallback.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lua/law/dual.hpp"
@@ -10,7 +11,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+constexpr std::size_t role_count = static_cast<std::size_t>(Role::noise) + 1;
 
 void want_three(std::vector<Input>& wanted, Role role, int who) {
   for (std::uint8_t i = 0; i < 3; i++) wanted.push_back({role, static_cast<std::uint8_t>(who), i, ""});
@@ -21,8 +22,7 @@ void want_three(std::vector<Input>& wanted, Role role, int who) {
 /// The calls over one block.
 class CalledLaw::Calls : public LawRun {
  public:
-  Calls(const CalledLaw& called, const Block& block)
-      : LawRun(called.law_), block_(block), wanted_(called.inputs_wanted()) {}
+  Calls(const CalledLaw& called, const Block& block);
 
   /// Calls for one pair or particle and writes its outputs.
   void evaluate(lua_State* state, LawCall& call, std::size_t k) {
@@ -38,18 +38,13 @@ class CalledLaw::Calls : public LawRun {
   std::string seen() const;
 
   void push(lua_State* state, Seen what, int who) override;
-  void push_attribute(lua_State* state, int who, const std::string& name) override;
+  void push_attribute(lua_State* state, int who, std::size_t index) override;
   void push_parameter(lua_State* state, std::size_t index) override;
   void push_noise(lua_State* state, int index) override;
 
  private:
-  std::size_t column(const Input& input) const {
-    const auto found = std::find(wanted_.begin(), wanted_.end(), input);
-    return found == wanted_.end() ? no_column : static_cast<std::size_t>(found - wanted_.begin());
-  }
-  double value(std::size_t column) const { return block_.inputs[column][k_]; }
-  double value(Role role, int who = 0, int i = 0) const {
-    return value(column({role, static_cast<std::uint8_t>(who), static_cast<std::uint8_t>(i), ""}));
+  double value(Role role, int who = 0, std::size_t i = 0) const {
+    return block_.inputs[first_[static_cast<std::size_t>(role)][static_cast<std::size_t>(who)] + i][k_];
   }
   double distance() const { return at_cutoff_ ? law.def.cutoff : std::sqrt(value(Role::distance2)); }
   void push_vec(lua_State* state, Role role, int who) const {
@@ -64,15 +59,24 @@ class CalledLaw::Calls : public LawRun {
   }
 
   const Block& block_;
-  std::vector<Input> wanted_;
+  const int known_noises_;
+  std::array<std::array<std::size_t, 4>, role_count>
+      first_{};  ///< column of a role of each particle; its others follow
   std::size_t k_ = 0;
   bool at_cutoff_ = false;  ///< the call is for the energy that a cutoff takes off
 };
 
+CalledLaw::Calls::Calls(const CalledLaw& called, const Block& block)
+    : LawRun(called.law_), block_(block), known_noises_(called.noises) {
+  const std::vector<Input> wanted = called.inputs_wanted();
+  for (std::size_t column = wanted.size(); column-- > 0;)
+    first_[static_cast<std::size_t>(wanted[column].role)][wanted[column].who] = column;
+}
+
 void CalledLaw::Calls::push_place(lua_State* state, int who) const {
   std::array<Dual, 3> place;
-  for (int i = 0; i < 3; i++)
-    place[static_cast<std::size_t>(i)] = Dual::variable(value(Role::position, who, i), 3 * who + i, 3 * law.count);
+  for (std::size_t i = 0; i < 3; i++)
+    place[i] = Dual::variable(value(Role::position, who, i), 3 * who + static_cast<int>(i), 3 * law.count);
   DualAlgebra(state).push_vec(state, place);
 }
 
@@ -91,8 +95,8 @@ void CalledLaw::Calls::push(lua_State* state, Seen what, int who) {
   }
 }
 
-void CalledLaw::Calls::push_attribute(lua_State* state, int who, const std::string& name) {
-  lua_pushnumber(state, value(column({Role::attribute, static_cast<std::uint8_t>(who), 0, name})));
+void CalledLaw::Calls::push_attribute(lua_State* state, int who, std::size_t index) {
+  lua_pushnumber(state, value(Role::attribute, who, index));
 }
 
 void CalledLaw::Calls::push_parameter(lua_State* state, std::size_t index) {
@@ -100,18 +104,17 @@ void CalledLaw::Calls::push_parameter(lua_State* state, std::size_t index) {
 }
 
 void CalledLaw::Calls::push_noise(lua_State* state, int index) {
-  const std::size_t at = column({Role::noise, 0, static_cast<std::uint8_t>(index), ""});
-  if (at == no_column)
+  if (index >= known_noises_)
     mistake(state, text("noise: the law calls it ", index + 1,
                         " times here, and less often when it was checked; call "
                         "it as often whatever the values"));
-  lua_pushnumber(state, value(at));
+  lua_pushnumber(state, value(Role::noise, 0, static_cast<std::size_t>(index)));
 }
 
 std::string CalledLaw::Calls::seen() const {
   if (law.form == LawForm::pair_force) {
     double square = 0.0;
-    for (int i = 0; i < 3; i++) square += value(Role::displacement, 0, i) * value(Role::displacement, 0, i);
+    for (std::size_t i = 0; i < 3; i++) square += value(Role::displacement, 0, i) * value(Role::displacement, 0, i);
     return text("at distance ", std::sqrt(square), " m");
   }
   if (is_pair(law.form)) return text("at distance ", distance(), " m");

@@ -27,10 +27,13 @@ LawRun& running(lua_State* state) {
   return *run;
 }
 
-std::string key_text(lua_State* state) { return std::string(push_text(state, 2)); }
+/// Of the field that is asked for; it may be left at the top.
+std::string_view key_text(lua_State* state) {
+  return lua_type(state, 2) == LUA_TSTRING ? lua_tostring(state, 2) : push_text(state, 2);
+}
 
 /// Place and velocity, where the form of law may see them.
-bool push_motion(lua_State* state, LawRun& run, int who, const std::string& name) {
+bool push_motion(lua_State* state, LawRun& run, int who, std::string_view name) {
   if (name != "position" && name != "velocity") return false;
   const LawForm form = run.law.form;
   if (form == LawForm::pair_force)
@@ -47,34 +50,35 @@ bool push_motion(lua_State* state, LawRun& run, int who, const std::string& name
 int particle_index(lua_State* state) {
   LawRun& run = running(state);
   const int who = static_cast<const LawParticle*>(lua_touserdata(state, 1))->who;
-  const std::string name = key_text(state);
+  const std::string_view name = key_text(state);
   if (push_motion(state, run, who, name)) return 1;
   const KnownNames& known = run.law.known[static_cast<std::size_t>(who)];
-  std::vector<std::string> names = known.all();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  const std::ptrdiff_t found = known.find(name);
+  if (found < 0) {
+    std::vector<std::string> names = known.all();
     if (known.place)
       run.mistake(state,
                   text(known.whose, " has no '", name, "'; a law between a particle and a position cannot read it"));
     const LawForm form = run.law.form;
     if (!is_pair(form)) names.insert(names.begin(), "position");
     if (form == LawForm::point_force) names.insert(names.begin() + 1, "velocity");
-    run.mistake(state, text(known.whose, " has no attribute '", name, "'.", suggestion(name, names), " It has ",
-                            joined(names)));
+    run.mistake(state, text(known.whose, " has no attribute '", name, "'.", suggestion(std::string(name), names),
+                            " It has ", joined(names)));
   }
-  run.push_attribute(state, who, name);
+  run.push_attribute(state, who, static_cast<std::size_t>(found));
   return 1;
 }
 
 int own_index(lua_State* state) {
   LawRun& run = running(state);
-  const std::string name = key_text(state);
+  const std::string_view name = key_text(state);
   const std::vector<Parameter>& parameters = run.law.def.parameters;
   const auto found =
       std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == name; });
   if (found == parameters.end()) {
     std::vector<std::string> names;
     for (const Parameter& p : parameters) names.push_back(p.name);
-    run.mistake(state, text("the law has no parameter '", name, "'.", suggestion(name, names),
+    run.mistake(state, text("the law has no parameter '", name, "'.", suggestion(std::string(name), names),
                             names.empty() ? text(" It has none; give parameters = { ", name, " = … }")
                                           : text(" It has ", joined(names))));
   }
@@ -158,6 +162,15 @@ std::vector<std::string> KnownNames::all() const {
   return names;
 }
 
+std::ptrdiff_t KnownNames::find(std::string_view name) const {
+  if (place) return -1;
+  const std::vector<std::string>& common = common_attributes();
+  const auto first = std::find(common.begin(), common.end(), name);
+  if (first != common.end()) return first - common.begin();
+  const auto own = std::find(attributes.begin(), attributes.end(), name);
+  return own == attributes.end() ? -1 : std::ssize(common) + (own - attributes.begin());
+}
+
 void LawRun::mistake(lua_State* state, const std::string& text) {
   const std::string place = lua::where(state);
   if (mistook.empty()) mistook = place.empty() ? text : pantin::text(place, ": ", text);
@@ -183,8 +196,8 @@ void LawCall::call() {
   lua_pushvalue(state_, base_);
   const LawForm form = run_.law.form;
   if (is_curve(form)) {
-    run_.push_attribute(state_, 0, "age");
-    run_.push_attribute(state_, 0, "lifetime");
+    for (const char* name : {"age", "lifetime"})
+      run_.push_attribute(state_, 0, static_cast<std::size_t>(run_.law.known[0].find(name)));
     return lua_call(state_, 2, 1);
   }
   if (form == LawForm::pair_force) {

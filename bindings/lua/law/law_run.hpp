@@ -1,9 +1,11 @@
 #pragma once
 // What the function of a law sees while it runs: its particles, its parameters, time and noise; as symbols while it is
 // traced, as numbers while it is called.
+#include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "laws/law.hpp"
@@ -40,6 +42,8 @@ struct KnownNames {
 
   /// All of them.
   std::vector<std::string> all() const;
+  /// Where among all of them a name is, or -1.
+  std::ptrdiff_t find(std::string_view name) const;
   /// Whether a law made for one serves for the other; of places it does not matter which.
   friend bool operator==(const KnownNames& a, const KnownNames& b) {
     return a.place == b.place && a.attributes == b.attributes && (a.place || a.whose == b.whose);
@@ -68,7 +72,8 @@ class LawRun {
   virtual ~LawRun() = default;
 
   virtual void push(lua_State* state, Seen what, int who = 0) = 0;
-  virtual void push_attribute(lua_State* state, int who, const std::string& name) = 0;
+  /// `index`: among all that are known of it.
+  virtual void push_attribute(lua_State* state, int who, std::size_t index) = 0;
   virtual void push_parameter(lua_State* state, std::size_t index) = 0;
   virtual void push_noise(lua_State* state, int index) = 0;
   /// A field of a thing of the scene is read.

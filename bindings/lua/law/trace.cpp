@@ -150,7 +150,8 @@ void Trace::push(lua_State* state, Seen what, int who) {
   }
 }
 
-void Trace::push_attribute(lua_State* state, int who, const std::string& name) {
+void Trace::push_attribute(lua_State* state, int who, std::size_t index) {
+  const std::string name = law.known[static_cast<std::size_t>(who)].all()[index];
   SymbolAlgebra(state).push(state, graph.input({Role::attribute, static_cast<std::uint8_t>(who), 0, name}));
 }
 

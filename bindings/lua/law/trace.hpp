@@ -16,7 +16,7 @@ class Trace : public LawRun {
   Trace(lua_State* state, const LawFunction& function);
 
   void push(lua_State* state, Seen what, int who) override;
-  void push_attribute(lua_State* state, int who, const std::string& name) override;
+  void push_attribute(lua_State* state, int who, std::size_t index) override;
   void push_parameter(lua_State* state, std::size_t index) override;
   void push_noise(lua_State* state, int index) override;
   void on_thing(lua_State* state, const char* field) override;

@@ -31,7 +31,7 @@ namespace {
 int scene_particle(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "particle");
   ParticleDef def;
-  std::vector<std::string> known = {"at", "velocity", "mass", "radius", "color", "look", "lifetime", "name"};
+  std::vector<std::string_view> known = {"at", "velocity", "mass", "radius", "color", "look", "lifetime", "name"};
   const FamilyOption family = family_option(state, 2, "particle", known);
   const Options o(state, 2, "particle", known);
   def.at = o.vector("at", "m").value_or(def.at);

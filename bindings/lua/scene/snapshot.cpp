@@ -81,7 +81,7 @@ void restore_wanted(Script& script) {
 }
 
 void keep_start(Script& script) {
-  if (script.world.steps != 0 || script.start) return;
+  if (script.world.steps != 0 || script.start || !script.runtime.speaks_of_reset) return;
   try {
     script.start = take_snapshot(script);
   } catch (const Error& error) { script.no_start = error.what(); }

@@ -66,7 +66,7 @@ PointDef point_def(lua_State* state, int index, const std::string& call, const s
   require(lua_istable(state, index), call, ": ", name,
           " must be a vec [m] or a table { at, mass, color, radius, family }, got ", kind_of_value(state, index));
   const std::string what = text(call, ": ", name);
-  std::vector<std::string> known = {"at", "mass", "color", "radius"};
+  std::vector<std::string_view> known = {"at", "mass", "color", "radius"};
   if (may_name) known.push_back("name");
   const FamilyOption family = family_option(state, index, what, known);
   const Options o(state, index, what, known);
@@ -135,7 +135,8 @@ void check_density(const Options& o, const BodyDef& def, const std::vector<Shape
 BodyDef body_def(lua_State* state, int index) {
   refuse_fixed(state, index, "body");
   refuse_material(state, index, "body");
-  const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes", "layer"}));
+  static const std::vector<std::string> known = with_names(body_options(), {"shape", "shapes", "layer"});
+  const Options o(state, index, "body", known);
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
   BodyDef def = body_of(o);
   std::vector<ShapeValue> shapes = shape_options(o, def.color);

@@ -58,8 +58,8 @@ std::function<double(double)> rate_function(const Callback& function) {
 
 int scene_emitter(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "emitter");
-  std::vector<std::string> known = {"at",   "rate",   "velocity", "spread", "lifetime", "max",
-                                    "mass", "radius", "color",    "look",   "enabled",  "name"};
+  std::vector<std::string_view> known = {"at",   "rate",   "velocity", "spread", "lifetime", "max",
+                                         "mass", "radius", "color",    "look",   "enabled",  "name"};
   const FamilyOption family = family_option(state, 2, "emitter", known);
   const Options o(state, 2, "emitter", known);
   EmitterDef def;

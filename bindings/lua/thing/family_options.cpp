@@ -36,7 +36,7 @@ void read_attributes(lua_State* state, int table, const std::string& what, Looks
 
 }  // namespace
 
-FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string>& known) {
+FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string_view>& known) {
   FamilyOption option;
   known.push_back("family");
   if (!lua_istable(state, index)) return option;

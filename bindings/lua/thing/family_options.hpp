@@ -2,6 +2,7 @@
 // Families and attributes in the options of what has particles.
 #include <lua.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edit/edit.hpp"
@@ -14,8 +15,8 @@ struct FamilyOption {
   FamilyId id;
   std::vector<std::string> attributes;
 };
-/// Reads it, and adds its attributes to the names of known options.
-FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string>& known);
+/// Reads it, and adds its attributes to the names of known options, which live as long as it.
+FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string_view>& known);
 
 /// The attributes that were given, as numbers.
 std::vector<AttributeDef> attribute_options(const Options& options, const std::vector<std::string>& attributes);

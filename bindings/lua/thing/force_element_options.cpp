@@ -21,7 +21,7 @@ KnownNames names_of(const World& world, const End& end) {
     return {text("the position vec(", number(0), ", ", number(1), ", ", number(2), ") m of the world"), {}, true};
   }
   const FamilyId family = world.particles[awake(world, end.particle)].family;
-  return family ? names_of_family(world, family) : KnownNames{describe(world, end.particle), {}, false};
+  return family ? names_of_family(world, family) : KnownNames{"a particle of no family", {}, false};
 }
 
 /// What a law may read of any particle of the scene: each must have it when the law acts.
@@ -63,12 +63,6 @@ std::vector<End> ends_of(lua_State* state, int& law) {
     law = 4;
   }
   return ends;
-}
-
-std::vector<std::string> parameter_names(const Law& law) {
-  std::vector<std::string> names;
-  for (const pantin::Parameter& p : law.parameters) names.push_back(p.name);
-  return names;
 }
 
 /// Between all pairs there is no present distance to stand for what was not given.
@@ -130,13 +124,13 @@ ConnectionId connect(const Self& self, std::vector<End> ends, int at) {
             " particles, got ", def.ends.size());
   const ResolvedLaw resolved = resolve_law(state, at, self.world, known, false);
   const std::shared_ptr<const Law>& law = resolved.laws.front();
-  std::vector<std::string> names = parameter_names(*law);
-  const std::vector<std::string> parameters = names;
+  std::vector<std::string_view> names;
+  for (const pantin::Parameter& p : law->parameters) names.push_back(p.name);
   names.insert(names.end(), {"breaks_at", "implicit", "name"});
   const Options o(state, at + 1, "connect", names);
   def.parameters = resolved.values;
-  for (std::size_t k = 0; k < parameters.size(); k++) {
-    const auto given = o.number(parameters[k].c_str(), law->parameters[k].unit.c_str());
+  for (std::size_t k = 0; k < law->parameters.size(); k++) {
+    const auto given = o.number(law->parameters[k].name.c_str(), law->parameters[k].unit.c_str());
     if (given)
       def.parameters[k] = *given;
     else if (law->parameters[k].present)

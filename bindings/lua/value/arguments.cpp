@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "fields/check.hpp"
 #include "lua/value/values.hpp"
@@ -85,7 +86,7 @@ Callback check_function(lua_State* state, int index, std::string_view what, std:
   return Callback(state, index);
 }
 
-Options::Options(lua_State* state, int index, std::string what, std::vector<std::string> names)
+Options::Options(lua_State* state, int index, std::string what, std::span<const std::string_view> known)
     : state_(state), what_(std::move(what)) {
   if (lua_isnoneornil(state, index)) return;
   require(lua_istable(state, index), what_, ": the options must be a table { name = value }, got ",
@@ -95,12 +96,17 @@ Options::Options(lua_State* state, int index, std::string what, std::vector<std:
   lua_pushnil(state);
   while (lua_next(state, index_)) {
     lua_pop(state, 1);
-    const std::string key = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1)
-                            : lua_isinteger(state, -1)         ? text(lua_tointeger(state, -1))
-                                                               : kind_of_value(state, -1);
-    if (std::find(names.begin(), names.end(), key) == names.end()) wrong.push_back(key);
+    if (lua_type(state, -1) == LUA_TSTRING) {
+      const std::string_view key = lua_tostring(state, -1);
+      if (std::find(known.begin(), known.end(), key) == known.end()) wrong.emplace_back(key);
+      if (given_count_ < given_.size()) given_[given_count_] = key.data();
+      given_count_++;
+    } else {
+      wrong.push_back(lua_isinteger(state, -1) ? text(lua_tointeger(state, -1)) : kind_of_value(state, -1));
+    }
   }
   if (wrong.empty()) return;
+  const std::vector<std::string> names(known.begin(), known.end());
   const std::string& key = *std::min_element(wrong.begin(), wrong.end());
   const bool numbered = key.find_first_not_of("0123456789") == std::string::npos;
   throw Error(text(what_, ": unknown field '", key, "'.",
@@ -119,8 +125,13 @@ void refuse_options(lua_State* state, int index, const std::string& what, std::i
   }
 }
 
+bool Options::may_have(const char* key) const {
+  if (given_count_ > given_.size()) return true;
+  const auto end = given_.begin() + static_cast<std::ptrdiff_t>(given_count_);
+  return std::find_if(given_.begin(), end, [&](const char* name) { return std::strcmp(name, key) == 0; }) != end;
+}
+
 bool Options::has(const char* key) const {
-  if (!index_) return false;
   push(key);
   const bool given = !lua_isnil(state_, -1);
   lua_pop(state_, 1);
@@ -128,7 +139,7 @@ bool Options::has(const char* key) const {
 }
 
 int Options::push(const char* key) const {
-  if (!index_) {
+  if (!may_have(key)) {
     lua_pushnil(state_);
   } else {
     lua_pushstring(state_, key);

@@ -1,7 +1,10 @@
 #pragma once
 // Checking what scripts give. Every check throws Error that names the value, what it must be, and what came.
+#include <array>
+#include <initializer_list>
 #include <lua.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +32,14 @@ Callback check_function(lua_State* state, int index, std::string_view what, std:
 class Options {
  public:
   /// Nothing at `index` is an empty table.
-  Options(lua_State* state, int index, std::string what, std::vector<std::string> known);
+  Options(lua_State* state, int index, std::string what, std::span<const std::string_view> known);
+  Options(lua_State* state, int index, std::string what, std::initializer_list<std::string_view> known)
+      : Options(state, index, std::move(what), std::span(known.begin(), known.size())) {}
+  Options(lua_State* state, int index, std::string what, const std::vector<std::string>& known)
+      : Options(state, index, std::move(what), std::vector<std::string_view>(known.begin(), known.end())) {}
 
   bool has(const char* key) const;
-  /// Pushes the value and returns its index.
+  /// Pushes the value, or nil, and returns its index.
   int push(const char* key) const;
   std::optional<double> number(const char* key, const char* unit) const;
   std::optional<double> number_or_infinity(const char* key, const char* unit) const;
@@ -46,11 +53,14 @@ class Options {
   lua_State* state() const { return state_; }
 
  private:
+  bool may_have(const char* key) const;
   template <class Read>
   auto read(const char* key, Read&& read) const;
 
   lua_State* state_;
-  int index_ = 0;  ///< 0: no table was given
+  int index_ = 0;                       ///< 0: no table was given
+  std::array<const char*, 8> given_{};  ///< names in the table, where there are no more
+  std::size_t given_count_ = 0;
   std::string what_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include "scene/interrupt.hpp"
 
@@ -59,7 +60,7 @@ void* Runtime::allocate(void* self, void* block, std::size_t old_size, std::size
   Runtime& runtime = *static_cast<Runtime*>(self);
   if (!block) old_size = 0;
   if (new_size == 0) {
-    std::free(block);
+    runtime.give_back(block, old_size);
     runtime.bytes_ -= old_size;
     return nullptr;
   }
@@ -67,9 +68,27 @@ void* Runtime::allocate(void* self, void* block, std::size_t old_size, std::size
     if (runtime.main_) runtime.refused_at_ = where(runtime.active());
     return nullptr;
   }
-  void* fresh = std::realloc(block, new_size);
+  void* fresh = runtime.take(block, old_size, new_size);
   if (fresh) runtime.bytes_ += new_size - old_size;
   return fresh;
+}
+
+void* Runtime::take(void* block, std::size_t old_size, std::size_t new_size) {
+  const bool was_small = old_size <= SmallBlocks::most, is_small = new_size <= SmallBlocks::most;
+  if (!was_small && !is_small) return std::realloc(block, new_size);
+  if (old_size > 0 && was_small && is_small && SmallBlocks::alike(old_size, new_size)) return block;
+  void* fresh = is_small ? small_.take(new_size) : std::malloc(new_size);
+  if (!fresh || !block) return fresh;
+  std::memcpy(fresh, block, std::min(old_size, new_size));
+  give_back(block, old_size);
+  return fresh;
+}
+
+void Runtime::give_back(void* block, std::size_t size) {
+  if (size > SmallBlocks::most)
+    std::free(block);
+  else if (size > 0)
+    small_.give_back(block, size);
 }
 
 int Runtime::start(lua_State* state) {
@@ -112,6 +131,7 @@ void Runtime::fail(lua_State* state, int status) {
 void Runtime::load(lua_State* state, const std::string& source, const std::string& name) {
   require(!source.starts_with('\x1b'), name, ":1: this is compiled code, and a scene is a text");
   const std::string chunk = "@" + name;
+  speaks_of_reset = speaks_of_reset || source.find("reset") != source.npos;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
   if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, chunk.c_str(), "t") != LUA_OK)

@@ -12,6 +12,7 @@
 
 #include "base/random.hpp"
 #include "lua/vm/guard.hpp"
+#include "lua/vm/small_blocks.hpp"
 #include "lua/vm/watchdog.hpp"
 #include "scene/files.hpp"
 #include "scene/options.hpp"
@@ -67,6 +68,7 @@ class Runtime {
   Random* random = nullptr;                      ///< source of math.random
   lua_Integer shown = 0;                         ///< values that were given a number to be shown by
   LawRun* law = nullptr;                         ///< the law whose function runs, or null
+  bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
   std::uint64_t traces = 0;                      ///< that were begun so far
   std::string stale_message;                     ///< text of the last error that a StaleHandle became
   std::string usage_message;                     ///< text of the last error that a UsageError became
@@ -79,6 +81,9 @@ class Runtime {
   };
   static int start(lua_State* state);
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  /// Memory for what was `old_size` bytes (0: nothing), see lua_Alloc; null where there is none.
+  void* take(void* block, std::size_t old_size, std::size_t new_size);
+  void give_back(void* block, std::size_t size);
   void run_job(Job& job);
   [[noreturn]] void fail(lua_State* state, int status);
 
@@ -86,6 +91,7 @@ class Runtime {
   lua_CFunction describe_error_;
   std::uint64_t runs_ = 0;
   std::size_t bytes_ = 0;
+  SmallBlocks small_;
   std::string refused_at_;  ///< place at which memory was refused last
   lua_State* main_ = nullptr;
   Watch watch_;
