@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/near_positions.hpp"
 #include "base/interruptible.hpp"
+#include "base/near_positions.hpp"
 
 namespace pantin {
 
