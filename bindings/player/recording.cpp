@@ -10,6 +10,9 @@ namespace fs = std::filesystem;
 
 namespace pantin::player {
 
+/// Between two lines: a recording has one each second, of steps of 10 ns at least.
+constexpr std::uint64_t most_ticks = 100'000'000;
+
 std::string program_version() { return PANTIN_VERSION; }
 
 std::string path_as_recorded(const std::string& path, const std::string& home) {
@@ -38,6 +41,8 @@ Recording read_recording(const std::string& path) {
       act = act_of(line);
       require(recording.acts.empty() || act.tick >= recording.acts.back().tick, "its tick, ", act.tick,
               ", is before that of the line above");
+      const std::uint64_t last = recording.acts.empty() ? 0 : recording.acts.back().tick;
+      require(act.tick - last <= most_ticks, "its tick, ", act.tick, ", is too far from that of the line above");
     } catch (const std::exception& error) {
       recording.damage = text(path, ":", number, ": ", error.what());
       return recording;

@@ -1,5 +1,6 @@
 #include "scene/files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,6 +26,14 @@ bool stays_inside(const std::string& path) {
   for (const auto& part : p)
     if (part == "..") return false;
   return true;
+}
+
+bool lies_below(const std::string& path, const std::string& folder) {
+  std::error_code missing;
+  const std::filesystem::path file = std::filesystem::canonical(path, missing);
+  if (missing) return true;
+  const std::filesystem::path top = std::filesystem::canonical(folder.empty() ? "." : folder, missing);
+  return !missing && std::mismatch(top.begin(), top.end(), file.begin(), file.end()).first == top.end();
 }
 
 }  // namespace pantin

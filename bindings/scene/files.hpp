@@ -10,5 +10,7 @@ std::optional<std::string> file_content(const std::string& path);
 std::string path_in(const std::string& folder, const std::string& name);
 /// Whether a relative path stays below the folder it begins in.
 bool stays_inside(const std::string& path);
+/// Whether a file lies below a folder once links are followed; so does one that is not there.
+bool lies_below(const std::string& path, const std::string& folder);
 
 }  // namespace pantin

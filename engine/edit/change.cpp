@@ -246,7 +246,9 @@ void set_accuracy_per_step(World& world, bool per_step) {
 
 void set_step(World& world, double step) {
   require_unlocked(world, "step");
+  constexpr double least = 1e-18;  // [s] no run of less comes anywhere
   require_positive("scene", "step", step, "s");
+  require(step >= least, "scene: step must be at least 1e-18 s, got ", step);
   acted(world);
   world.settings.step = step;
   world.stiffness_unknown = true;

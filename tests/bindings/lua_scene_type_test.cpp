@@ -39,6 +39,7 @@ TEST_CASE("wrong settings are errors at their line") {
   CHECK(failure("scene.gravity = 3") == "scene.lua:1: scene: gravity must be a vec [m/s²], got a number");
   CHECK(failure("scene.step = 0") == "scene.lua:1: scene: step must be > 0 s, got 0");
   CHECK(failure("scene.step = 0/0") == "scene.lua:1: scene: step must be a finite number [s], got NaN");
+  CHECK(failure("scene.step = 5e-324").find("step must be at least 1e-18 s") != std::string::npos);
   CHECK_THAT(failure("scene.integrator = 'rk5'"), Contains("must be \"verlet\"") && Contains("got \"rk5\""));
   CHECK(failure("scene.accuracy = 0") == "scene.lua:1: scene: accuracy must be > 0 1/s, got 0");
   CHECK(failure("scene.accuracy = -1e-3") == "scene.lua:1: scene: accuracy must be > 0 1/s, got -0.001");

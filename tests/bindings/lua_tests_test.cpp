@@ -142,6 +142,23 @@ TEST_CASE("tables of numbers are read from the scene's folder") {
   CHECK_THROWS_WITH(run_scene("read_table '../x.csv'"), Contains("must be a file below the scene's folder"));
 }
 
+TEST_CASE("a link does not lead a scene's files out of its folder") {
+  const Folder folder, other;
+  other.write("secret.csv", "1,2\n");
+  other.write("secret.lua", "return 1");
+  other.write("secret.xyz", "1\n\nC 0 0 0\n");
+  std::filesystem::create_directory_symlink(other.path, folder.path / "out");
+  folder.write("own.csv", "1,2\n");
+  std::filesystem::create_symlink("own.csv", folder.path / "same.csv");
+  const auto run_scene = [&](const std::string& source) {
+    return lua::open_scene(folder.write("scene.lua", source), options());
+  };
+  CHECK_THROWS_WITH(run_scene("read_table 'out/secret.csv'"), Contains("leads out of the scene's folder"));
+  CHECK_THROWS_WITH(run_scene("require 'out.secret'"), Contains("leads out of its folder"));
+  CHECK_THROWS_WITH(run_scene("structure.molecule 'out/secret.xyz'"), Contains("leads out of its folder"));
+  CHECK_NOTHROW(run_scene("assert(#read_table 'same.csv' == 1)"));
+}
+
 TEST_CASE("a scene is the same in every run, to the last bit") {
   const std::string source = R"lua(
     local t = { one = 1, two = 2, three = 3, four = 4, five = 5 }

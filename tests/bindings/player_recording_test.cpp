@@ -190,6 +190,19 @@ TEST_CASE("recording: one that is cut off in the middle is played as far as it g
   CHECK_THAT(replay.remarks()[0], Contains("what there is by then is played"));
 }
 
+TEST_CASE("recording: a line that would take it far into the future is damage, and what is before it is played") {
+  Folder folder;
+  play(folder, 4);
+  std::string text = read_file(folder / "play.rec");
+  const std::string tick = "{\"tick\":500,";
+  text.replace(text.find(tick), tick.size(), "{\"tick\":18446744073709551615,");
+  write_file(folder / "far.rec", text);
+  const Recording recording = player::read_recording(folder / "far.rec");
+  CHECK_THAT(recording.damage, Contains("far.rec:") && Contains("too far from that of the line above"));
+  Replay replay(recording, run_options(), sources::folder());
+  CHECK(to_end(replay) <= 500);
+}
+
 TEST_CASE("recording: cut off anywhere, a message is all that comes of it") {
   Folder folder;
   play(folder, 2);

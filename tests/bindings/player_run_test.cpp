@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bindings/program_support.hpp"
 #include "support/process.hpp"
 #include "support/sources.hpp"
 
@@ -66,4 +67,19 @@ scene:nail(lever.pivot)
   CHECK_THAT(rest.out, !Contains("overlapped") && !Contains("loosely"));
   CHECK(rest.err.empty());
   CHECK_FALSE(nlohmann::json::parse(read_file(folder / "s.json")).contains("deepest_overlap"));
+}
+
+TEST_CASE("program: what the engine does for a script ends with the script's time, and within its memory") {
+  Folder folder;
+  write_file(folder / "dense.lua", R"(
+local group = scene:group "dense"
+for i = 1, 20000 do group:add(scene:particle { at = vec(i % 100, i // 100, 0) * 1e-4, mass = 1 }) end
+scene:connect_within(group, 1, force.spring { stiffness = 1, length = 1 })
+)");
+  const Finished slow = use(folder, {"run", "dense.lua", "--script-limit", "2"});
+  CHECK(slow.code == 1);
+  CHECK_THAT(slow.err, Contains("dense.lua:4: the script did not come back within 2 s"));
+  const Finished large = use(folder, {"run", "dense.lua", "--script-limit", "60", "--memory-limit", "100MiB"});
+  CHECK(large.code == 1);
+  CHECK_THAT(large.err, Contains("the scene takes more memory than it may (--memory-limit)"));
 }

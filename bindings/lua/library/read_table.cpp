@@ -80,6 +80,7 @@ int read_table(lua_State* state) {
   require(stays_inside(name), "read_table: '", name,
           "' must be a file below the scene's folder, not an absolute path or one with ..");
   const std::string path = path_in(Runtime::of(state).folder, name);
+  require(lies_below(path, Runtime::of(state).folder), "read_table: '", name, "' leads out of the scene's folder");
   const auto content = Runtime::of(state).read(path);
   require(content.has_value(), "read_table: there is no file '", path, "'");
   lua_newtable(state);

@@ -31,6 +31,7 @@ int require_file(lua_State* state) {
       return 1;
     }
     lua_pop(state, 1);
+    require(lies_below(file, folder), "require: '", file, "' leads out of its folder");
     const auto source = runtime.read(file);
     places += (places.empty() ? "" : ", ") + file;
     if (!source) continue;

@@ -166,9 +166,11 @@ std::string read_scene_file(lua_State* state, const char* call, const char* asse
   require(stays_inside(name), call, ": '", name, "' must be a file below the scene's folder or assets/", assets,
           ", not an absolute path or one with ..");
   const Runtime& runtime = Runtime::of(state);
-  const std::string places[] = {path_in(runtime.folder, name),
-                                path_in(runtime.home, text("assets/", assets, "/", name))};
-  for (const std::string& path : places) {
+  const std::string folders[] = {runtime.folder, path_in(runtime.home, text("assets/", assets))};
+  const std::string places[] = {path_in(folders[0], name), path_in(folders[1], name)};
+  for (std::size_t i = 0; i < std::size(places); i++) {
+    const std::string& path = places[i];
+    require(lies_below(path, folders[i]), call, ": '", name, "' leads out of its folder");
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     require(error || size <= largest_file, call, ": '", path, "' has ", size >> 20, " MiB; at most ",
