@@ -6,7 +6,6 @@
 #include <set>
 
 #include "contacts/bodies.hpp"
-#include "contacts/crowd.hpp"
 #include "contacts/find_parts.hpp"
 #include "shapes/ray.hpp"
 
@@ -28,14 +27,17 @@ class Search {
     going.w = w;
     waiting_.push_back(body);
   }
-  /// Adds what they meet, and forgets that they were pushed.
+  /// Adds what they meet, and forgets that they were pushed. Nothing where that is more than is worth it, as in an explosion.
   void run(FoundContacts& found) {
-    for (std::size_t i = 0; i < waiting_.size(); i++)
+    const std::size_t most = contacts_.list.size() + most_for_each * finder_.shapes_now.size();
+    for (std::size_t i = 0; i < waiting_.size() && found.list.size() <= most; i++)
       for (const ShapeId id : p_.model.bodies.at_slot(waiting_[i]).shapes) look_along(id.slot - 1, found);
     for (const auto& [body, going] : before_) finder_.going[body] = going;
+    if (found.list.size() > most) found.list.clear();
   }
 
  private:
+  static constexpr std::size_t most_for_each = 8;  // contacts
   Vec3 way(std::uint32_t shape) const {
     const Shape& s = p_.model.shapes.at_slot(shape);
     return s.body ? finder_.going[s.body.slot - 1].v * p_.h : zero3();
@@ -78,7 +80,6 @@ class Search {
     if (!would_meet(x.geometry, at, y.geometry, there, nearing, turns)) return;
     const double margin = still(at) + still(there) + norm(nearing) + turns;
     add_contacts(side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule, contacts_, p_.h, margin, found);
-    require_no_crowd(found.list.size(), finder_.shapes_now.size(), {at.pose.x, at.pose.x});
     if (y.body) push(y.body.slot - 1, finder_.going[x.body.slot - 1].v, finder_.going[y.body.slot - 1].w);
   }
   /// What turns far may be anywhere in the ball about it.
