@@ -19,7 +19,8 @@ std::size_t resident_memory() {
 }
 
 MemoryLimit::MemoryLimit(std::size_t bytes) {
-  const std::size_t now = resident_memory(), most = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t beside = std::size_t{512} << 20;  // of what was freed and is still held, too
+  const std::size_t now = resident_memory() + beside, most = std::numeric_limits<std::size_t>::max();
   most_ = bytes > most - now ? most : now + bytes;
 }
 

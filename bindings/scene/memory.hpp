@@ -6,7 +6,7 @@ namespace pantin {
 /// [bytes] of memory that this program holds now.
 std::size_t resident_memory();
 
-/// What may come to what the program holds when this is made.
+/// What may come to what the program holds when this is made, and 512 MiB.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes);
