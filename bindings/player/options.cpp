@@ -84,8 +84,7 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
-  app.add_option("--memory-limit", texts.memory,
-                 "Of the script's memory, at least 1MiB; with its scene 512MiB more")
+  app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB; with its scene 512MiB more")
       ->check(check_bytes)
       ->default_str("2GiB")
       ->type_name("SIZE");
