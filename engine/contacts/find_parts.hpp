@@ -1,6 +1,7 @@
 #pragma once
 // The steps of finding contacts, each in a file of its own, and what they have in common.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "contacts/find.hpp"
@@ -9,6 +10,18 @@ namespace pantin {
 
 /// Part of the thickness that the margin of what rests is.
 inline constexpr double still_margin = 0.01;
+
+/// [m] The margin of a shape that rests.
+inline double margin_at_rest(const ShapeNow& now) {
+  return std::isfinite(now.thickness) ? still_margin * now.thickness : 0.0;
+}
+
+/// The first contact of two shapes, or of what comes after them, in a list by key.
+inline std::vector<Contact>::const_iterator first_of_shapes(const std::vector<Contact>& list, const ContactKey& key) {
+  return std::lower_bound(list.begin(), list.end(), key, [](const Contact& c, const ContactKey& k) {
+    return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
+  });
+}
 
 inline Bounds widened(Bounds b, double margin) {
   const Vec3 by = vec(margin, margin, margin);

@@ -14,10 +14,7 @@ namespace {
 
 /// Whether one of these shapes kept the other out in the last drift: they touch, and neither passes the other by.
 bool kept_apart(const Contacts& contacts, const ContactKey& key) {
-  const auto before = [](const Contact& c, const ContactKey& k) {
-    return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
-  };
-  auto c = std::lower_bound(contacts.list.begin(), contacts.list.end(), key, before);
+  auto c = first_of_shapes(contacts.list, key);
   for (; c != contacts.list.end() && c->key.same_shapes(key); c++)
     if (norm2(c->place_impulse) > 0.0) return true;
   return false;

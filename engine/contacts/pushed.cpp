@@ -49,25 +49,21 @@ class Search {
     const double arm = norm(now.arm) + now.reach;
     return std::fmin(norm(finder_.going[s.body.slot - 1].w) * p_.h, 2.0) * arm;
   }
-  static double still(const ShapeNow& now) { return std::isfinite(now.thickness) ? still_margin * now.thickness : 0.0; }
   void look_along(std::uint32_t shape, FoundContacts& found) {
     const Shape& of = p_.model.shapes.at_slot(shape);
     const ShapeNow& now = finder_.shapes_now[shape];
     if (of.sensor) return;
     std::vector<std::uint32_t> near;
-    finder_.broad_phase.along(widened(bounds_of(of.geometry, now.pose), still(now) + turning(shape)), way(shape),
-                              [&](std::uint32_t other) { near.push_back(other); });
+    finder_.broad_phase.along(widened(bounds_of(of.geometry, now.pose), margin_at_rest(now) + turning(shape)),
+                              way(shape), [&](std::uint32_t other) { near.push_back(other); });
     std::sort(near.begin(), near.end());
-    for (const std::uint32_t other : near) meet(shape, other, found);
+    for (const std::uint32_t other : near) add_pair(shape, other, found);
   }
   bool is_known(ContactKey key) const {
-    const auto before = [](const Contact& c, const ContactKey& k) {
-      return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
-    };
-    const auto c = std::lower_bound(contacts_.list.begin(), contacts_.list.end(), key, before);
+    const auto c = first_of_shapes(contacts_.list, key);
     return c != contacts_.list.end() && c->key.same_shapes(key);
   }
-  void meet(std::uint32_t shape, std::uint32_t other, FoundContacts& found) {
+  void add_pair(std::uint32_t shape, std::uint32_t other, FoundContacts& found) {
     const Shape &x = p_.model.shapes.at_slot(shape), &y = p_.model.shapes.at_slot(other);
     const LayerRule* rule = p_.model.layers.rule(x.layer, y.layer);
     if (y.sensor || !may_touch(finder_, x, y, rule)) return;
@@ -78,7 +74,7 @@ class Search {
     const Vec3 nearing = way(shape) - way(other);
     const double turns = turning(shape) + turning(other);
     if (!would_meet(x.geometry, at, y.geometry, there, nearing, turns)) return;
-    const double margin = still(at) + still(there) + norm(nearing) + turns;
+    const double margin = margin_at_rest(at) + margin_at_rest(there) + norm(nearing) + turns;
     add_contacts(side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule, contacts_, p_.h, margin, found);
     if (y.body) push(y.body.slot - 1, finder_.going[x.body.slot - 1].v, finder_.going[y.body.slot - 1].w);
   }
@@ -110,7 +106,7 @@ bool goes_beyond(const ThingsNow& p, const ContactFinder& finder, std::uint32_t 
 }  // namespace
 
 bool find_pushed(const ThingsNow& p, ContactFinder& finder, std::span<const TouchIsland> islands, Contacts& contacts) {
-  if (finder.changed || finder.displaced || finder.sleep_changes != contacts.sleep_changes) put_bounds(p, finder);
+  if (finder.changed || finder.sleep_changes != contacts.sleep_changes) put_bounds(p, finder);
   Search search(p, finder, contacts);
   bool any = false;
   for (const TouchIsland& island : islands)
@@ -121,6 +117,7 @@ bool find_pushed(const ThingsNow& p, ContactFinder& finder, std::span<const Touc
       search.push(island.things[i], b.v, b.w);
     }
   if (!any) return false;
+  if (finder.displaced) put_bounds(p, finder);
   FoundContacts found;
   search.run(found);
   if (found.list.empty()) return false;

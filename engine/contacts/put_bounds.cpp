@@ -17,7 +17,7 @@ ShapeNow locate(const ThingsNow& p, const Shape& shape) {
   ShapeNow now;
   now.thickness = thickness_of(shape.geometry);
   now.reach = reach_of(shape.geometry);
-  if (std::isfinite(now.thickness)) now.margin = still_margin * now.thickness;
+  now.margin = margin_at_rest(now);
   if (!shape.body) {
     now.pose = {shape.at, matrix(shape.orientation)};
     return now;
