@@ -11,6 +11,7 @@ namespace pantin {
 /// Calls f(first, last, worker) for blocks of `count` things, among the world's threads; a thread takes at least `enough` of them.
 template <class F>
 void share_blocks(const World& world, std::size_t count, std::size_t enough, F&& f) {
+  if (count == 0) return;
   constexpr std::size_t most_blocks = 64;
   const std::size_t blocks = world.workers->count() == 1 ? 1 : std::clamp<std::size_t>(count / enough, 1, most_blocks);
   world.workers->run(blocks, [&](std::size_t block, int worker) {
