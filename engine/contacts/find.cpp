@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
 
@@ -70,8 +71,26 @@ void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, s
   });
 }
 
+namespace {
+
+/// Where too much is within reach of too much, margins look ahead by less of the step.
+void find_near(const ThingsNow& p, ContactFinder& finder) {
+  constexpr double least = 1e-3;
+  for (finder.ahead = 1.0;; finder.ahead *= 0.1) {
+    put_bounds(p, finder);
+    try {
+      finder.broad_phase.pairs();
+      return;
+    } catch (const Error&) {
+      if (finder.ahead < least) throw;
+    }
+  }
+}
+
+}  // namespace
+
 void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
-  put_bounds(p, finder);
+  find_near(p, finder);
   locate_points(p, finder);
   find_going(p.model, finder, contacts);
   find_of_shapes(p, finder, contacts, workers);

@@ -71,6 +71,7 @@ struct ContactFinder {
   std::vector<BroadPhase::Pair> pairs;  ///< of shapes that may touch
   std::vector<FoundContacts> found;     ///< (blocks of pairs)
   std::uint64_t sleep_changes = 0;      ///< of the contacts, when these were found
+  double ahead = 1.0;                   ///< of a step: what margins look ahead by, as far as a crowd lets them
   bool changed = true;                  ///< an edit concerned what is in there
   bool displaced = false;               ///< shapes were, a little, since they were put there
 };

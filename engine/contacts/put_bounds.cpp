@@ -13,7 +13,7 @@ Pose in_principal_axes(const Body& body, const Shape& shape) {
   return {rotate(to_axes, shape.at - body.centre), matrix(to_axes * shape.orientation)};
 }
 
-ShapeNow locate(const ThingsNow& p, const Shape& shape) {
+ShapeNow locate(const ThingsNow& p, const ContactFinder& finder, const Shape& shape) {
   ShapeNow now;
   now.thickness = thickness_of(shape.geometry);
   now.reach = reach_of(shape.geometry);
@@ -31,13 +31,13 @@ ShapeNow locate(const ThingsNow& p, const Shape& shape) {
   if (!now.moves) return now;
   now.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
   const double arm = norm(now.arm) + now.reach;
-  now.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
+  now.margin += finder.ahead * p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
   return now;
 }
 
 void put(const ThingsNow& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
-  const ShapeNow& now = finder.shapes_now[s] = locate(p, shape);
+  const ShapeNow& now = finder.shapes_now[s] = locate(p, finder, shape);
   const double slack = now.moves ? now.margin + 0.1 * now.thickness : 0.0;
   const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
   finder.broad_phase.put({widened(bounds_of(shape.geometry, now.pose), now.margin), s, now.moves, owner}, slack);

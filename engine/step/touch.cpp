@@ -128,6 +128,14 @@ void tell_box(World& world) {
   if (world.settings.box && std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what);
 }
 
+void tell_crowd(World& world) {
+  const std::string what =
+      "so much moves so fast in one place that contacts are not looked for over all of a step: a shorter scene.step "
+      "does";
+  const auto told = [&](const LogLine& line) { return line.text == what; };
+  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what);
+}
+
 bool goes_untouched(const World& world) { return nothing_touches(world) || !world.trouble.empty(); }
 
 ThingsNow things_now(const World& world, bool drifted) {
@@ -158,6 +166,7 @@ void find(World& world, bool drifted) {
     world.contacts.stale = true;
     return;
   }
+  if (world.contact_finder->ahead < 1.0) tell_crowd(world);
   wake_touched(world);
 }
 
