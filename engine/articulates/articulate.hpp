@@ -106,7 +106,7 @@ struct DriftReport {
   double projected = 0.0;             // [J] of the symmetric projection
   double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
   double unsolved = 0.0;          // [J] of forces on gaps that the iteration left open; only where the ledger is kept
-  double round_off = 0.0;         // [J] of the work of rows; the same
+  double round_off = 0.0;         // [J] what round-off of positions makes of the work of rows; the same
   double inexact = 0.0;           // [J] change of the energy by a tree's steps that nothing from outside made; the same
   std::uint32_t evaluations = 0;  // of a tree's rates
   double returned = 0.0;          // [J] given back of what the projection took
@@ -131,12 +131,12 @@ struct NodeTotals {
 /// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the
 /// matrix is larger: u = 2/h² times how far the rows' forces move it, w = 2/h² times how far they turn it.
 struct Hub {
-  std::uint32_t node, variable;       // row of u in the factor; that of w is the next
-  std::vector<std::uint32_t> blocks;  // (rows on the node) those with u; with w the next of the column
-  std::vector<std::uint32_t> alone;   // rows on the node that are on no node but hubs
+  std::uint32_t node, variable;             // row of u in the factor; that of w is the next
+  std::vector<std::uint32_t> blocks;        // (rows on the node) those with u; with w the next of the column
+  std::vector<std::uint32_t> only_on_hubs;  // rows on the node that are on no node but hubs
 };
 
-inline constexpr std::uint16_t most_failed = 4;
+inline constexpr std::uint16_t most_failed = 4;  // drifts that are counted
 
 /// What its steps cost, in iterations and factorisations, and what may still be spent on one that cannot be solved.
 struct Effort {

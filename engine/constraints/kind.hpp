@@ -11,7 +11,7 @@
 
 namespace pantin {
 
-/// How many freedoms a constraint takes from what it ties.
+/// How many degrees of freedom a constraint takes from what it ties.
 struct FreedomsTaken {
   long in_space = 0, in_plane = 0;
 };

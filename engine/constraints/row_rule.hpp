@@ -28,15 +28,15 @@ struct Orientations {
 
 /// What is left out is not so, or nothing.
 struct RowRule {
-  bool soft = false;               ///< forbids no motion, and only pulls
-  bool by_law = false;             ///< pulls by the law of a connection: no constraint made it
-  bool coupled = false;            ///< its value is one of several that add up, evaluated together by its articulate
-  bool about_axis = false;         ///< an angular one about its axis alone; where it has no range a motor
-  bool at_distance = false;        ///< pulls at points that are apart, in any direction, and so may twist what is free
-  bool keeps_separation = false;   ///< between two points, too, d1 is to be `position1`
-  bool held_at_end = false;        ///< `held` is of an end of its range, which a step finds out; within it holds, too
-  bool guides = false;             ///< a point that the world holds by it moves along something, and keeps no momentum
-  bool leaves_turn = false;        ///< the world leaves the turn about its second axis free
+  bool soft = false;              ///< forbids no motion, and only pulls
+  bool by_law = false;            ///< pulls by the law of a connection: no constraint made it
+  bool coupled = false;           ///< its value is one of several that add up, evaluated together by its articulate
+  bool about_axis = false;        ///< an angular one about its axis alone; where it has no range a motor
+  bool at_distance = false;       ///< pulls at points that are apart, in any direction, and so may turn what is free
+  bool keeps_separation = false;  ///< d1 between two points is to be `position1`: what is left of a join's separation
+  bool held_at_end = false;       ///< `held` says that an end of its range holds it, besides what it forbids within
+  bool guides = false;  ///< its point slides along something of the world: no rigid motion has a momentum that stays
+  bool leaves_turn = false;        ///< an angular one that, to the world, leaves the turn about its axis free
   bool forbids_as_newton = false;  ///< Newton's matrix forbids the velocities that projections do
   bool offsets_gap = false;        ///< a gap that cannot be closed is its offset; else it changes what it keeps
   /// Of an angular row: sets d1, or the angle, at the end of the step.

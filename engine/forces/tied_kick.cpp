@@ -175,7 +175,7 @@ double TiedKick::fastest_damping() {
   space.add_direction(right, size_of(right), again);
   while (all.size() < space.directions.size()) {
     all.push_back(forces_of_laws(space.directions.back()));
-    space.add_work(all);
+    space.add_forces(all);
     const Eigen::MatrixXd working = 0.5 * (space.galerkin + space.galerkin.transpose());
     fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
     if (all.size() == enough) break;
@@ -262,7 +262,7 @@ void TiedKick::solve() {
   Eigen::VectorXd y;
   while (!space.directions.empty()) {
     all.push_back(forces_of_laws_and_soft_rows(space.directions.back()));
-    space.add_work(all);
+    space.add_forces(all);
     const auto n = static_cast<Eigen::Index>(space.directions.size());
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.galerkin;
     y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);

@@ -80,18 +80,19 @@ struct Tree {
 
 /// Where a tree is worked on.
 struct TreeWorkspace {
-  using Two = double __attribute__((vector_size(16)));
+  using Two = double __attribute__((vector_size(16)));  // of the two nodes of a pair
   struct Symmetric4 {
     Lanes xx, xy, xz, yy, yz, zz;
   };
   struct Batch {
     Mat3x4 R;
-    Vec3x4 r_in, r_out, alpha, a_in, a_out;
+    Vec3x4 r_in, r_out, alpha, a_in, a_out;  // of the last three what they would be without hinges
     Symmetric4 W, K_in, K_out;
     Lanes K_cross[9];    // K_out,in by rows
     Vec3x4 f_in, f_out;  // [N] on the node; on what hangs on its outer hinge
     Vec3x4 torque;       // [N m] of a branch's outer hinges
   };
+  /// How the points of inner hinges move by the force f there, with all that is outside: β + C f. Of the world 0.
   struct Outside {
     Two C[6], beta[3];  // xx, xy, xz, yy, yz, zz
   };
@@ -119,7 +120,8 @@ struct TreeWorkspace {
   std::vector<Vec3> momenta;                  ///< (nodes) [kg m/s]
 };
 
-/// Square of the rate at which a force at an arm can make a node swing, by that force [m/(kg m²)].
+/// How fast a force at an arm makes a node turn faster, at most [rad/s² per N]: |arm across an axis|/moment about it. Times the force
+/// it bounds the square of the rate at which the node can swing.
 double turn_per_force(const TreeNode& node, Vec3 arm);
 
 /// Orders the elimination. The hinges must make one tree; at most one is to the world.

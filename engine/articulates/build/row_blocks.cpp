@@ -13,7 +13,7 @@ void find_row_blocks(Articulate& a) {
   const auto free_of_hubs = [&](std::int32_t n) { return n >= 0 && !meets_at_variables[static_cast<std::size_t>(n)]; };
   for (Hub& hub : a.hubs) {
     for (std::uint32_t k : a.rows_on[hub.node]) {
-      if (!free_of_hubs(a.rows[k].a) && !free_of_hubs(a.rows[k].b)) hub.alone.push_back(k);
+      if (!free_of_hubs(a.rows[k].a) && !free_of_hubs(a.rows[k].b)) hub.only_on_hubs.push_back(k);
       hub.blocks.push_back(a.factor.block(hub.variable, k));
       reached[hub.blocks.back()] = reached[hub.blocks.back() + 1] = 1;
     }

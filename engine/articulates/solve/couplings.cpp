@@ -1,5 +1,5 @@
-// Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, ways along an axis of racks. What makes
-// force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a way
+// Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, distances along an axis of racks. What makes
+// force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a distance
 // along an axis the mean of that axis, of an angle that turns by φ the axis n times φ/(n·(a_a - a_b)), for that is what a torque does work on. So the
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
@@ -18,6 +18,7 @@ namespace pantin {
 
 namespace {
 
+/// What a row adds to the sum of its coupling: w v, with the weight w relative to the head's.
 struct Value {
   Vec3 n;                  // direction of the force
   Vec3 gradient;           // of w v at the end of the step, by d1
@@ -48,7 +49,7 @@ const Row& distance_of(const Articulate& a, const Coupling& coupling, const Cond
   return a.rows[*it];
 }
 
-/// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(a_a - a_b)), with the Cayley vectors
+/// n·e of an angle: its change φ over what a torque along the mean axis n does work on, n·(a_a - a_b), with the Cayley vectors
 /// of both nodes. About one axis these are 2 tan of half their angles, which differ by φ.
 double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, double counted) {
   const auto along = [&](std::int32_t node) {
@@ -130,10 +131,12 @@ double sum_of(const Articulate& a, const Coupling& coupling) {
   return sum;
 }
 
+/// By how much a force across what it should be counts [m]: what it moves, or the work that it does, as in evaluate_function.
 double size_across(const Vec3& across, const Row& row, const Value& v, double kappa) {
   return norm(across) * std::fmax(kappa, v.displacement / std::fmax(norm(row.f), 1e-3 * v.displacement / kappa));
 }
 
+/// Of a row whose coupling is slack: κ f = 0. Returns the size of the residual [m], as do those below.
 double let_go(Articulate& a, Row& row, double kappa) {
   Condition& c = condition(a, row);
   c.held = false;
@@ -143,6 +146,7 @@ double let_go(Articulate& a, Row& row, double kappa) {
   return norm(row.residual);
 }
 
+/// `over`: by how much the sum is too large [m].
 double evaluate_head(Articulate& a, Row& row, const Value& v, double over, double kappa) {
   Condition& c = condition(a, row);
   const Mat3 P = identity33() - outer(v.n, v.n);

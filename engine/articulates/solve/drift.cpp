@@ -78,6 +78,7 @@ double make_consistent_at(Articulate& a, const DriftSettings& settings, double a
   return kinetic_energy(a) - before - work.all();
 }
 
+/// Cuts the full sub-step, and has it begin with velocities that are consistent.
 void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
   cut(a);
   const double given = make_consistent_at(a, settings, at, report);
@@ -138,6 +139,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   return true;
 }
 
+/// Moves over a part: solved at once, by its halves, or by a fallback step that may go further than the part.
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   if (part.from < a.moved_to) return;
   const double h = settings.step * (part.to - part.from);
@@ -196,6 +198,7 @@ void begin_effort(Articulate& a) {
   effort.spare = waits ? 0 : effort.failed > 0 ? allowance(a, 16, 3.0) : all_spare(a);
 }
 
+/// `spare`: what attempts might spend; `open`: the drift began with a gap, so that none was made.
 void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport& report) {
   constexpr std::uint16_t longest_pause = 8;
   Effort& effort = a.effort;

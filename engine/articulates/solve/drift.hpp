@@ -13,8 +13,9 @@ struct EnergyOfConsistency {
 /// they change is no edit's.
 EnergyOfConsistency make_start_consistent(Articulate& articulate, double step, double at);
 
-/// Moves a loaded articulate by one step: Newton's iteration; where it fails, two half steps, five levels deep; where
-/// these fail or the step begins with a gap, the fallback step. Velocities are not yet projected.
+/// Moves a loaded articulate over the settings' stage of the step, by as many sub-steps as it has: each by Newton's iteration;
+/// where that fails, by two halves, five levels deep; where these fail, or it begins with a gap, by the fallback step.
+/// Velocities are not yet projected.
 void drift(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Semi-implicit Euler, 1st order: velocity first, then position, with the row forces found by Newton's iteration

@@ -34,6 +34,7 @@ void hold_stiff(Articulate& a) {
     if (pulls_by_law(row)) hold_length(row, condition(a, row));
   a.forbids_nothing = false;
 }
+/// It pulls again.
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
     if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);  // its rule is not by a law now
@@ -41,7 +42,7 @@ void release_stiff(Articulate& a) {
   measure_gaps(a);
 }
 
-/// Forces of soft rows, pushes and twists; tells what they give. Then gravity.
+/// Impulses of soft rows, pushes and twists, whose work it tells; then that of gravity.
 void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double before = kinetic_energy(a);
   for (Row& row : a.rows) {
@@ -76,8 +77,8 @@ void hold_stops(Articulate& a) {
   hold_with_heads(a);
 }
 
-/// Which rows close their gaps: all, or not those that give way.
-enum class Closing { all, firm };
+/// Which rows close their gaps: all, or all but those that give way.
+enum class Closing { all, what_stays };
 
 /// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
 double find_gaps(Articulate& a, Closing closing = Closing::all) {
@@ -90,7 +91,7 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
       if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
       c.held_before = c.held_before || c.held;
       row.rule->project(row, c);
-      if (closing == Closing::firm && c.gives_way && !c.ranged) {
+      if (closing == Closing::what_stays && c.gives_way && !c.ranged) {
         row.residual = zero3();
         c.kept = zero33();
       }
@@ -102,6 +103,7 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
   return std::isfinite(sum) ? sum : infinity;
 }
 
+/// The nodes' ends become their starts, and the solved Λ in `right_side` moves the ends on: by M⁻¹ G1'Λ, or by shifts alone.
 void move_by_solution(Articulate& a, bool may_turn) {
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
@@ -215,7 +217,7 @@ bool nothing_driven(const Articulate& a) {
   });
 }
 
-/// Nothing has moved but all as one, and so it goes on: whatever else moved is at rest.
+/// Takes the step back: all rest where they were but for uncoupled spin; what is free moves on as one rigid body with its momenta.
 void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
   a.nodes = a.saved;
   if (free) shift_to(a, centre_of_mass(a) + momenta.p * (h / a.total_mass));
@@ -283,8 +285,8 @@ void close_displaced(Articulate& a) {
   hold_stiff(a);
   std::vector<Vec3> angular;
   for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
-  int tries_left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
-  close_gaps(a, 1e-13 * a.length, tries_left, Closing::firm);
+  int tries_left = std::sqrt(find_gaps(a, Closing::what_stays)) <= most_open * a.length ? most : 0;
+  close_gaps(a, 1e-13 * a.length, tries_left, Closing::what_stays);
   if (tries_left < most) {
     for (std::size_t i = 0; i < a.nodes.size(); i++)
       if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);

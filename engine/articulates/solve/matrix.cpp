@@ -83,7 +83,7 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
     a.factor.lower[block] = diagonal(a.plane.directions()) * (-sign * n.inverse_mass[lane]);
     a.factor.lower[block + 1] = unpack(rotation_per_force(W, ends[i], right))[lane] * -1.0;
   }
-  for (std::uint32_t k : hub.alone) a.factor.diagonal[k] = zero33();
+  for (std::uint32_t k : hub.only_on_hubs) a.factor.diagonal[k] = zero33();
   for (std::uint32_t k : {hub.variable, hub.variable + 1}) {
     a.factor.diagonal[k] = identity33();
     a.factor.whole[k] = vec(1, 1, 1);

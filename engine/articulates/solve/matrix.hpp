@@ -7,7 +7,8 @@ namespace pantin {
 /// Where in the step the row forces act: at the arms of its start (Euler), the mean of both ends (the
 /// midpoint step), or its end (projections).
 enum class Arms : std::uint8_t { start, mean, end };
-/// The rows' matrix and right side: left arms at the end, right arms as told, M and C of the rows (`scale` C is added),
+/// The rows' matrix and right side: left arms at the end, right arms as told, M and C of the rows (`scale` C is added: 2/h² in
+/// Newton's matrix, 1/h² with `euler`, in projections the largest mobility of a row, since C has no unit there),
 /// compliance `epsilon` relative to the diagonal. Nodes turn by R I⁻¹ R' of the start or end, or, with arms at the mean of
 /// a step of `h`, as Newton's matrix says. The right side is `right_scale` times the residual, with Newton's matrix also
 /// what the nodes' own residuals move.

@@ -52,13 +52,13 @@ double MotionSpace::add_direction(Motions direction, double size_of_all,
   return size;
 }
 
-void MotionSpace::add_work(const std::vector<Motions>& impulses) {
+void MotionSpace::add_forces(const std::vector<Motions>& forces) {
   const auto n = static_cast<Eigen::Index>(directions.size());
   galerkin.conservativeResize(n, n);
   for (Eigen::Index i = 0; i < n; i++) {
     const auto k = static_cast<std::size_t>(i);
-    galerkin(i, n - 1) = product(directions[k], impulses.back());
-    galerkin(n - 1, i) = product(directions.back(), impulses[k]);
+    galerkin(i, n - 1) = product(directions[k], forces.back());
+    galerkin(n - 1, i) = product(directions.back(), forces[k]);
   }
 }
 

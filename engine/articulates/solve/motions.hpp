@@ -22,17 +22,17 @@ void add(Motions& to, const Motions& more, double times);
 /// Adds impulses [N s], [N m s] to the momenta in a lane.
 void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 angular);
 
-/// A basis that grows, orthonormal, with the work that the impulses which each direction makes do along all.
+/// An orthonormal basis q of motions that grows, with Galerkin's matrix of the forces that laws make at each of them.
 struct MotionSpace {
   std::vector<Motions> directions;
-  Eigen::MatrixXd galerkin;  ///< [1/s] of the impulses of the column along the row
+  Eigen::MatrixXd galerkin;  ///< [1/s] (i, j): q_i · the forces at q_j
 
   /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
   /// forbidden, of a motion of size `size_of_all` [J^½]; how much of it was new. A small new part is projected again by
   /// `allowed`: what earlier projections left forbidden would dominate it.
   double add_direction(Motions direction, double size_of_all, const std::function<Motions(const Motions&)>& allowed);
-  /// The work of the impulses that the last direction makes, the last of `impulses` (directions), and that along it.
-  void add_work(const std::vector<Motions>& impulses);
+  /// Adds the row and the column of the last direction; `forces` (directions) are those at each, as momenta by time.
+  void add_forces(const std::vector<Motions>& forces);
 
  private:
   double orthogonalise(Motions& direction) const;  // Gram and Schmidt

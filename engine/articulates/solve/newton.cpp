@@ -21,7 +21,7 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
-constexpr int most_lost = 2;  // searches in a row, along directions of factors of their own
+constexpr int most_vain = 2;  // searches in a row, along directions of factors of their own
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
@@ -58,7 +58,7 @@ class Evaluation {
   void batch(std::size_t b) {
     const Lanes size2 = place_batch(a_, b, h_);
     largest2_ = larger(size2, largest2_);
-    unsound_ += size2 * 0.0;
+    not_finite_ += size2 * 0.0;
   }
   /// Once its batches are placed.
   void row(std::size_t k) {
@@ -72,7 +72,7 @@ class Evaluation {
   double end() {
     if (!a_.couplings.empty()) raise(worst_, evaluate_couplings(a_, h_));
     a_.residual = std::sqrt(worst2_);
-    if (!(largest_lane(unsound_) == 0.0)) return infinity;
+    if (!(largest_lane(not_finite_) == 0.0)) return infinity;
     return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));
   }
 
@@ -81,7 +81,8 @@ class Evaluation {
 
   Articulate& a_;
   double h_;
-  Lanes largest2_ = lanes(0.0), unsound_ = lanes(0.0);
+  Lanes largest2_ = lanes(0.0),
+        not_finite_ = lanes(0.0);  // of the latter 0, or not a number where a rotation is not finite
   double worst2_ = 0.0, worst_ = 0.0;
 };
 
@@ -213,20 +214,22 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const std::uint32_t most_cost = cost(report) + a.effort.spare;  // above it, it gives up
   Goal goal{};
   double e = start_iteration(a, h, gravity, goal);
-  double left = 1.0;  // of the residual, by the last iteration
+  double reduction = 1.0;  // e1/e of the last iteration
   const auto [tolerance, round_off] = goal;
   a.predictor.rough = e > 0.03 * a.length;
   bool factor_of_attempt = false, new_factor = false;
-  int old_uses = 0, lost = 0, slow = 0;
+  // uses of the factor after its first; searches in a row, with new factors, that accepted nothing, or gained less than a tenth
+  int old_uses = 0, vain = 0, slow = 0;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
     if (cost(report) > most_cost) return e <= 100.0 * tolerance;
     // Near the end an old factor often gains nothing at first, and much the next time.
-    const bool gains_enough = left <= 0.1 || (left <= 0.5 && old_uses < 2) || (left < 1.0 && e * left <= tolerance);
+    const bool factor_serves =
+        reduction <= 0.1 || (reduction <= 0.5 && old_uses < 2) || (reduction < 1.0 && e * reduction <= tolerance);
     old_uses++;
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
-    if (!factor_of_attempt || !gains_enough) {
+    if (!factor_of_attempt || !factor_serves) {
       old_uses = 0;
       a.weak = factorise(a, system) && !a.loop_free;
       a.factor_of = FactorOf::newton;
@@ -236,32 +239,32 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       reuse_factor(a, system);
     }
     const auto [e1, found] = search_line(a, h, e, tolerance, new_factor, most_cost, report);
-    left = e1 / e;
-    lost = found ? 0 : lost + new_factor;
-    slow = left > 0.9 ? slow + new_factor : 0;
-    if ((lost == most_lost || (a.lowered && slow == most_lost)) && e1 > 100.0 * tolerance) return false;
-    if (!new_factor && old_uses == 1 && left < 4.0 && e < 1e-6 * a.length) {
-      left = std::min(left, 0.5);
+    reduction = e1 / e;
+    vain = found ? 0 : vain + new_factor;
+    slow = reduction > 0.9 ? slow + new_factor : 0;
+    if ((vain == most_vain || (a.lowered && slow == most_vain)) && e1 > 100.0 * tolerance) return false;
+    if (!new_factor && old_uses == 1 && reduction < 4.0 && e < 1e-6 * a.length) {
+      reduction = std::min(reduction, 0.5);
       e = e1;
       continue;
     }
     if (!(e1 < e)) {
       e = evaluate_along(a, h, 0.0);
-      left = 1.0;
+      reduction = 1.0;
       if (!new_factor) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
         lower_epsilon(a, !found);
         new_factor = false;
-        lost = 0;
+        vain = 0;
         continue;
       }
       return e < 100.0 * tolerance;
     }
-    if (new_factor && left > 0.2 && e1 < 10.0 * round_off) return true;
-    if (new_factor && left > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
+    if (new_factor && reduction > 0.2 && e1 < 10.0 * round_off) return true;
+    if (new_factor && reduction > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a, !found);
-      left = 1.0;
-      lost = 0;
+      reduction = 1.0;
+      vain = 0;
     }
     new_factor = false;
     e = e1;

@@ -40,7 +40,7 @@ Vec3x4 fetch(const RowEnds& end, What what) {
 
 /// R0 or R1 of the nodes.
 Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R);
-/// Squares of speeds [m²/s²], and largest coordinates [m].
+/// Of the nodes begun so far: the largest square of a speed [m²/s²], and the largest coordinate [m].
 struct Largest {
   Lanes speed2 = lanes(0.0), position = lanes(0.0);
 };

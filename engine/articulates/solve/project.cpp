@@ -178,6 +178,7 @@ void tell_momenta(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
 }
 
+/// Fills and factorises S1 at the nodes' starts for what the rows forbid there; what settles has 1/κ_s on its diagonal.
 void factorise_projection(Articulate& a, double epsilon) {
   set_kept_matrices(a);
   for (Node& n : a.nodes) put_end_at_start(n);
@@ -220,6 +221,7 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
   return false;
 }
 
+/// Λ̂ = ½ (Λ̂ + Λ), along what is kept now, for sub-steps of h [s]; with the work of it on what is prescribed.
 void average_impulses(Articulate& a, double h) {
   a.symmetric_h = h;
   for (std::size_t k = 0; k < a.rows.size(); k++)
@@ -349,8 +351,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     a.sums_impulses = true;
   }
   if (a.sums_impulses) add_impulses_exerted(a);
-  const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !jumps && !a.weak && !noise && !at_distance && !one_sided && !a.touches)
+  const bool negligible = before.forbidden <= 1e-9 * speed;  // as small as what the solver leaves
+  if (a.smooth && !jumps && !a.weak && !negligible && !at_distance && !one_sided && !a.touches)
     average_impulses(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
@@ -369,7 +371,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
     const Velocities before = v;
     set_driven_work_velocities(a);
     if (v.forbidden <= 1e-13 * v.fastest) return work;
-    const double sane = std::max(1.001 * v.kinetic, driven);
+    const double most_energy = std::max(1.001 * v.kinetic, driven);  // more is of a pivot that is too weak
     factorise_projection(a, epsilon);
     a.report.factorisations++;
     for (int i = 0; i < 3; i++) {
@@ -380,7 +382,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
       if (v.forbidden > 0.5 * last) break;
     }
     work = work_of_impulses(a, before, v);
-    if (v.kinetic <= sane || epsilon > 1e-3) return work;
+    if (v.kinetic <= most_energy || epsilon > 1e-3) return work;
   }
 }
 

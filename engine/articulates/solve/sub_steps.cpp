@@ -127,7 +127,8 @@ double error_between(const Articulate& a, double h) {
   return passed_on * worst / (a.length * std::fabs(h));
 }
 
-/// The same, if it is too large: how much the finest of these moments still changes.
+/// What the finest moments at which such motion is asked still change, if that is too large, else 0 [1/s]: the stage is done once
+/// more with the bend of the straight way without its term of fourth order.
 template <class Move>
 double bend_error(const Articulate& a, Trial& trial, const SubStepSettings& wanted, double h, std::uint32_t count,
                   Move move) {

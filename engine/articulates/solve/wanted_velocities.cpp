@@ -6,6 +6,7 @@ namespace pantin {
 
 namespace {
 
+/// Adds the rate of the bend `at` a moment, `times` 1/step; the velocity of an angular row is that of lever times the turn.
 void add_bend(Condition& c, double lever, double times, double at) {
   if (c.bent == Bent::nothing) return;
   const Vec3 rate = c.bend.rate(at) * times;
@@ -15,6 +16,7 @@ void add_bend(Condition& c, double lever, double times, double at) {
     c.velocity += c.bent == Bent::turn ? rate * lever : rate;
 }
 
+/// Sets what a condition wants at the moment from what it wants at the end of the step.
 void want(Condition& c, double lever, double step, double at) {
   c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
   if (c.by_speed) {
