@@ -43,12 +43,17 @@ void check_constraint(const World& world, Constraint& c, ConstraintId same) {
   const std::string_view call = kind_name(c.kind);
   const ConstraintRule& rule = rule_of(c);
   require_unlocked(world, call);
-  if (!c.body_a && !c.is<StringData>() && !c.is<CouplingData>()) require_point(world, call, c.a);
-  c.each_point([&](PointId point) { require_point(world, call, point); });
+  if (!c.body_a && !c.is<StringData>()) require_point(world, call, c.a);  // of a string its rule tells what is missing
+  bool is_listed = static_cast<bool>(c.body_a);
+  c.each_point([&](PointId point) {
+    require_point(world, call, point);
+    is_listed = is_listed || point == c.a;
+  });
   c.each_body([&](BodyId body) { require_turning(world, call, body); });
   require(!c.body_a || c.body_a != c.body_b, call, ": both are ", describe(world, c.body_a), "; it needs two bodies");
   require_positive(call, "time_constant", c.time_constant, "s");
   if (rule.check != nullptr) rule.check(world, c);
+  require(is_listed, call, ": its first point is none of those that it ties, so its rows would be found nowhere");
   if (rule.keeps.name != nullptr) require_kept(call, c, c.by_speed ? c.number.rate : c.number.now);
   if (pins(c)) require_free_of_holders(world, call, c.a, same);
   require_in_plane(world, c);

@@ -54,6 +54,29 @@ TEST_CASE("a constraint of any kind is checked when it is made") {
   CHECK(world.constraints.size() == 1);
 }
 
+TEST_CASE("a constraint whose points are in its own data alone is refused unless the first is its own") {
+  World world;
+  const PointId a = particle_at(world, zero3()), b = particle_at(world, vec(1, 0, 0)),
+                other = particle_at(world, zero3());
+  CoupledValue distance;
+  distance.point_a = a;
+  distance.point_b = b;
+  Constraint pulley = of_point(ConstraintKind::pulley, {}), string = of_point(ConstraintKind::string, other);
+  pulley.number.now = 1.0;
+  pulley.own = CouplingData{{distance, distance}, 2.0};
+  CHECK_THROWS_WITH(add_constraint(world, pulley), Contains("pulley: "));
+  pulley.a = other;
+  CHECK_THROWS_WITH(add_constraint(world, pulley), Contains("pulley: its first point is none of those that it ties"));
+  string.number.now = 1.0;
+  string.own = StringData{{{a}, {b}}};
+  CHECK_THROWS_WITH(add_constraint(world, string), Contains("string: its first point is none of those that it ties"));
+  pulley.a = a;
+  string.a = b;
+  add_constraint(world, pulley);
+  add_constraint(world, string);
+  CHECK(world.constraints.size() == 2);
+}
+
 TEST_CASE("a constraint that is changed to what it cannot be stays as it was") {
   World world;
   const ConstraintId plane = cases::add_on_plane(world, particle_at(world, zero3()), vec(0, 2, 0));
