@@ -6,7 +6,7 @@ namespace pantin {
 
 namespace {
 
-enum Names : std::uint32_t { crossing = 201, rim_crossing, rim_point };
+enum : std::uint32_t { crossing = 201, rim_crossing, rim_point };
 
 /// Which is called the same whichever of the two was clipped by the other.
 std::uint32_t crossing_of(std::uint32_t edge, std::uint32_t other) {

@@ -16,7 +16,7 @@ constexpr double where_edges_meet = 1e-2;
 constexpr double along_normal = 0.99;
 
 constexpr std::uint32_t nearest_id = 0x80000000u;
-enum Names : std::uint32_t { over_face_of_a = 301, over_face_of_b, along_lines };
+enum : std::uint32_t { over_face_of_a = 301, over_face_of_b, along_lines };
 
 struct Line {
   Vec3 from, to;

@@ -18,7 +18,7 @@ double cosine_of_sixteenths(std::uint32_t i) {
   return i <= 4 ? cosines[i] : -cosines[8 - i];
 }
 
-enum Names : std::uint32_t { hull_edge = 101 };
+enum : std::uint32_t { hull_edge = 101 };
 
 void box_face(Vec3 half, const Pose& pose, Vec3 along, Feature& feature) {
   const Vec3 local = transposed_times(pose.R, along);

@@ -15,8 +15,8 @@ namespace {
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
-constexpr double moved = 1e-3;                             // of the size: what opens so much is not at rest
-constexpr double farthest = 10.0;                          // times the largest opening: what ties hold goes no farther
+constexpr double most_at_rest = 1e-3;                      // of the size: what opens so much is not at rest
+constexpr double farthest_pushed = 10.0;                   // times the largest opening: what ties hold goes no farther
 
 /// How a thing was displaced [m], [rad], about its centre before.
 struct Displaced {
@@ -113,12 +113,13 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     problem.tolerance *= 1e4;
     problem.enough *= 1e2;
     solve_stage(contacts, island, 2, settings.search, report);
-    limit_displacements(problem, farthest * largest);
+    limit_displacements(problem, farthest_pushed * largest);
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);
     for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
-    if (std::fmin(largest, fastest(problem)) * h > moved * size) keep_awake(model, articulates, contacts, island);
+    if (std::fmin(largest, fastest(problem)) * h > most_at_rest * size)
+      keep_awake(model, articulates, contacts, island);
     for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
                  turn = problem.bodies[i].w * h;

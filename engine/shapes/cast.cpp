@@ -13,7 +13,7 @@ namespace {
 
 using Hit = std::optional<RayHit>;
 
-constexpr int most_rounds = 200;
+constexpr int most_cast_rounds = 200;
 
 /// Of a convex shape above a half space.
 Separation from_half_space(const Geometry& moved, const Pose& pose, const Pose& at_other) {
@@ -37,7 +37,7 @@ Hit cast_convex(const Geometry& moved, const Pose& pose, Vec3 way, const Geometr
   SeparationCache cache;
   double part = 0.0;
   Separation gap{};
-  for (int round = 0; round < most_rounds; round++) {
+  for (int round = 0; round < most_cast_rounds; round++) {
     gap = gap_between(moved, {pose.x + way * part, pose.R}, other, at_other, cache);
     if (gap.distance < -touching && round == 0) return RayHit{0.0, gap.normal};
     const double closing = -dot(gap.normal, way);

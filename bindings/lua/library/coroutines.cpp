@@ -39,7 +39,7 @@ int wrap(lua_State* state) {
   return 1;
 }
 
-void replace(lua_State* state, const char* name, lua_CFunction function) {
+void replace_call(lua_State* state, const char* name, lua_CFunction function) {
   lua_getfield(state, -1, name);
   lua_pushcclosure(state, function, 1);
   lua_setfield(state, -2, name);
@@ -49,9 +49,9 @@ void replace(lua_State* state, const char* name, lua_CFunction function) {
 
 void open_coroutines(lua_State* state) {
   lua_getglobal(state, "coroutine");
-  replace(state, "resume", guard<on_coroutine>);
-  replace(state, "close", guard<on_coroutine>);
-  replace(state, "wrap", guard<wrap>);
+  replace_call(state, "resume", guard<on_coroutine>);
+  replace_call(state, "close", guard<on_coroutine>);
+  replace_call(state, "wrap", guard<wrap>);
   lua_pop(state, 1);
 }
 

@@ -145,7 +145,7 @@ int type_of_value(lua_State* state) {
   return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }
 
-void replace(lua_State* state, const char* name, lua_CFunction function) {
+void replace_function(lua_State* state, const char* name, lua_CFunction function) {
   lua_getfield(state, -1, name);
   lua_pushcclosure(state, function, 1);
   lua_setfield(state, -2, name);
@@ -177,10 +177,10 @@ void open_law_math(lua_State* state) {
                                 {"type", guard<either<Plain>>},
                                 {"ult", guard<either<Plain>>}};
   lua_getglobal(state, "math");
-  for (const luaL_Reg& f : functions) replace(state, f.name, f.func);
+  for (const luaL_Reg& f : functions) replace_function(state, f.name, f.func);
   lua_pop(state, 1);
   lua_pushglobaltable(state);
-  replace(state, "type", guard<type_of_value>);
+  replace_function(state, "type", guard<type_of_value>);
   lua_pop(state, 1);
 }
 

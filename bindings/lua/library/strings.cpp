@@ -25,7 +25,7 @@ std::size_t check_start(lua_State* state, int index, std::size_t size) {
   return i == 0 || i < -length ? 0 : static_cast<std::size_t>(length + i);
 }
 
-void push(lua_State* state, std::string_view subject, const Matcher::Capture& capture) {
+void push_capture(lua_State* state, std::string_view subject, const Matcher::Capture& capture) {
   if (capture.length == Matcher::Capture::position)
     lua_pushinteger(state, static_cast<lua_Integer>(capture.begin) + 1);
   else
@@ -37,7 +37,7 @@ int push_captures(lua_State* state, std::string_view subject, const Matcher& mat
                   std::size_t end) {
   const std::size_t count = matcher.captures() == 0 ? 1 : matcher.captures();
   luaL_checkstack(state, static_cast<int>(count), "too many captures");
-  for (std::size_t i = 0; i < count; i++) push(state, subject, matcher.capture(i, begin, end));
+  for (std::size_t i = 0; i < count; i++) push_capture(state, subject, matcher.capture(i, begin, end));
   return static_cast<int>(count);
 }
 
@@ -129,7 +129,7 @@ void add_text(lua_State* state, luaL_Buffer& buffer, std::string_view subject, c
     } else if (c == '0') {
       luaL_addlstring(&buffer, subject.data() + begin, end - begin);
     } else {
-      push(state, subject, matcher.capture(static_cast<std::size_t>(c - '1'), begin, end));
+      push_capture(state, subject, matcher.capture(static_cast<std::size_t>(c - '1'), begin, end));
       luaL_addvalue(&buffer);
     }
   }
@@ -144,7 +144,7 @@ bool add_replacement(lua_State* state, luaL_Buffer& buffer, std::string_view sub
       lua_call(state, push_captures(state, subject, matcher, begin, end), 1);
       break;
     case LUA_TTABLE:
-      push(state, subject, matcher.capture(0, begin, end));
+      push_capture(state, subject, matcher.capture(0, begin, end));
       lua_gettable(state, replacement);
       break;
     default: add_text(state, buffer, subject, matcher, begin, end); return true;

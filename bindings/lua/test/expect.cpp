@@ -13,7 +13,7 @@ namespace {
 const char expectation_key = 0;
 
 /// Pushes the value that is looked at, from the expectation at argument 1.
-void push_value(lua_State* state) {
+void push_expected(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_rawgeti(state, 1, 1);
   lua_replace(state, 1);
@@ -34,7 +34,7 @@ double number(lua_State* state, int index) {
 }
 
 int near(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   const double tolerance = check_number(state, 3, "near", "argument 2, the tolerance,", "");
   const auto a = to_vec(state, 1), b = to_vec(state, 2);
   const double off = a && b ? norm(*a - *b) : std::fabs(number(state, 1) - number(state, 2));
@@ -44,31 +44,31 @@ int near(lua_State* state) {
 }
 
 int below(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   require(number(state, 1) < number(state, 2), "expected a number below ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int above(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   require(number(state, 1) > number(state, 2), "expected a number above ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int equal(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   require(lua_compare(state, 1, 2, LUA_OPEQ) != 0, "expected ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int is_true(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   require(lua_isboolean(state, 1) && lua_toboolean(state, 1), "expected true, got ", shown(state, 1));
   return 0;
 }
 
 int fails(lua_State* state) {
-  push_value(state);
+  push_expected(state);
   const std::string wanted = check_text(state, 2, "fails", "argument 1");
   require(lua_isfunction(state, 1), "fails: expect must be given a function, got ", kind_of_value(state, 1));
   lua_pushvalue(state, 1);

@@ -58,7 +58,7 @@ bool named_point(const Self& self, const char* name) {
   return false;
 }
 
-Type make() {
+Type make_body_type() {
   Type type = type_with(fields::body_type());
   type.methods = {
       {"push", guard<push_force>, "force: vec [N], at?: vec [m]", "",
@@ -85,7 +85,7 @@ Type make() {
 }  // namespace
 
 const Type& body_type() {
-  static const Type type = make();
+  static const Type type = make_body_type();
   return type;
 }
 

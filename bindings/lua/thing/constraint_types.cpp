@@ -7,7 +7,7 @@ namespace pantin::lua {
 namespace {
 
 /// In the order of the kinds.
-std::vector<Type> make() {
+std::vector<Type> make_constraint_types() {
   std::vector<Type> types;
   for (std::size_t i = 0; i < constraint_names.size(); i++) {
     const auto kind = static_cast<ConstraintKind>(i);
@@ -31,7 +31,7 @@ const Type& any_constraint_type() {
 }
 
 const Type& constraint_type(Kind kind) {
-  static const std::vector<Type> types = make();
+  static const std::vector<Type> types = make_constraint_types();
   return types[static_cast<std::size_t>(kind) - static_cast<std::size_t>(Kind::constraint)];
 }
 

@@ -69,7 +69,7 @@ int draw_point(lua_State* state) {
   return put(self, std::move(drawing));
 }
 
-Type make() {
+Type make_draw_type() {
   Type type{"Draw",
             "draw",
             "Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "
@@ -94,7 +94,7 @@ Type make() {
 }  // namespace
 
 const Type& draw_type() {
-  static const Type type = make();
+  static const Type type = make_draw_type();
   return type;
 }
 

@@ -124,7 +124,7 @@ int clusters_of(lua_State* state) {
   return 1;
 }
 
-Type make() {
+Type make_group_type() {
   Type type = type_with(fields::group_type());
   type.methods = {
       {"add", guard<add_things>, "thing: Thing, ...: Thing", "Group", "Adds things; returns the group.",
@@ -156,7 +156,7 @@ Type make() {
 }  // namespace
 
 const Type& group_type() {
-  static const Type type = make();
+  static const Type type = make_group_type();
   return type;
 }
 

@@ -26,7 +26,7 @@ int release_point(lua_State* state) {
   return 0;
 }
 
-Type make() {
+Type make_hand_type() {
   Type type{"Hand", "hand", "What can grab: the mouse, a finger, a stick, a script's.", {}, {}};
   type.fields = {
       {"position", "vec", "m", "position in the world", [](const Self& s) { push(s.state, row(s).position); }, nullptr},
@@ -50,7 +50,7 @@ Type make() {
 }  // namespace
 
 const Type& hand_type() {
-  static const Type type = make();
+  static const Type type = make_hand_type();
   return type;
 }
 

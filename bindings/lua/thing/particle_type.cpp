@@ -55,7 +55,7 @@ bool write_attribute(const Self& self, const char* name, int index) {
   return true;
 }
 
-Type make() {
+Type make_particle_type() {
   Type type = type_with(fields::particle_type());
   type.methods = pushes<Kind::particle>();
   type.methods.push_back({"cut", guard<cut_hinge>, "body?: Body", "",
@@ -74,7 +74,7 @@ Type make() {
 }  // namespace
 
 const Type& particle_type() {
-  static const Type type = make();
+  static const Type type = make_particle_type();
   return type;
 }
 

@@ -4,7 +4,7 @@
 namespace pantin::lua {
 namespace {
 
-Type make() {
+Type make_point_type() {
   Type type = type_with(fields::point_type());
   type.methods = pushes<Kind::point>();
   add_base(type, any_thing_type());
@@ -15,7 +15,7 @@ Type make() {
 }  // namespace
 
 const Type& point_type() {
-  static const Type type = make();
+  static const Type type = make_point_type();
   return type;
 }
 

@@ -63,7 +63,7 @@ int rotate_shape(lua_State* state) {
   return 1;
 }
 
-Type make() {
+Type make_shape_type() {
   Type type{"Shape", "shape", "What touches, and what it is made of: a value, which does not change.", {}, {}};
   type.fields = {
       {"kind", "string", "", "\"ball\", \"box\", \"capsule\" …, as it was made",
@@ -125,7 +125,7 @@ const ShapeValue& check_shape_value(lua_State* state, int index, std::string_vie
 }
 
 const Type& shape_type() {
-  static const Type type = make();
+  static const Type type = make_shape_type();
   return type;
 }
 

@@ -207,7 +207,7 @@ int unknown_structure(lua_State* state) {
       text("structure: unknown structure '", name, "'.", suggestion(name, names), " Known are ", joined(names)));
 }
 
-std::vector<Method> make() {
+std::vector<Method> make_structure_makers() {
   const char* edge = "options?: EdgeOptions";
   return {
       {"tetrahedron", guard<tetrahedron>, edge, "Structure", "Four triangles.",
@@ -270,7 +270,7 @@ Structure mesh_of_file(lua_State* state, Script& script, const std::string& name
 }
 
 const std::vector<Method>& structure_makers() {
-  static const std::vector<Method> makers = make();
+  static const std::vector<Method> makers = make_structure_makers();
   return makers;
 }
 

@@ -175,7 +175,7 @@ std::vector<Field> value_fields() {
   };
 }
 
-Type make() {
+Type make_structure_type() {
   Type type{"Structure", "structure", "Vertices, edges and faces: a value, which does not change.", {}, {}};
   type.fields = value_fields();
   type.methods = {
@@ -253,7 +253,7 @@ MassIn check_mass_in(lua_State* state, int index, const std::string& what, const
 }
 
 const Type& structure_type() {
-  static const Type type = make();
+  static const Type type = make_structure_type();
   return type;
 }
 

@@ -7,7 +7,7 @@ namespace pantin {
 namespace {
 
 constexpr double most_turn = 1.0;  // [rad] in one step
-constexpr int most_halvings = 8;
+constexpr int most_halvings_alone = 8;
 
 struct Inertia {
   Vec3 moments = zero3(), inverse = zero3();
@@ -132,7 +132,7 @@ void turn(Node& n, Vec3 torque, double h, int depth) {
   const bool symmetric = is_symmetric(n.inertia);
   const Vec3 kicked = n.P0 + transposed_times(n.R0, torque) * (0.5 * h);
   const Turn one = symmetric ? Turn{} : find_turn(n, kicked, h);
-  if (!symmetric && !one.found && depth < most_halvings) {
+  if (!symmetric && !one.found && depth < most_halvings_alone) {
     turn(n, torque, 0.5 * h, depth + 1);
     turn(n, torque, 0.5 * h, depth + 1);
     return;

@@ -20,7 +20,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
+constexpr std::uint32_t most_iterations = 40, most_line_halvings = 6;
 constexpr int most_vain = 2;  // searches in a row, along directions of factors of their own
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
@@ -202,7 +202,7 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool new
     const double e1 = fraction == 1.0 ? full.residual : evaluate_along(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || cost(report) > most_cost || (!new_factor && halvings == 0))
+    if (accepted || halvings >= most_line_halvings || cost(report) > most_cost || (!new_factor && halvings == 0))
       return {e1, accepted};
     fraction *= 0.5;
   }

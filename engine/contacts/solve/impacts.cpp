@@ -8,7 +8,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t most_rounds = 40;
+constexpr std::uint32_t most_blow_rounds = 40;
 constexpr double least_rise = 1e-12, least_of_tied = 1e-8;  // of the kinetic energy: what the search does not leave
 
 /// Those that near each other, by index; none if nothing of it rebounds.
@@ -103,7 +103,7 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_bef
   std::vector<double> scalar_starts;
   for (const IslandTie& t : island.ties) starts.push_back(t.start);
   for (const IslandScalar& s : island.scalars) scalar_starts.push_back(s.start);
-  while (report.rounds < most_rounds) {
+  while (report.rounds < most_blow_rounds) {
     start_without_impulses(island);
     observe(island);
     const std::vector<std::size_t> now = striking(island, slow);

@@ -20,7 +20,7 @@ constexpr double rho_at_first = 2.5e-2, rho_of_even = 1e-3,
                  rho_of_uneven = 1e-5;        // ρ: at first, and of even and uneven masses
 constexpr double harder = 0.2, falls = 0.25;  // ρ times that where the residual does not fall to this
 constexpr std::uint32_t most_steps = 60,
-                        most_patience = 3;  // of one problem; rounds in which the residual may not halve
+                        most_proximal_patience = 3;  // of one problem; rounds in which the residual may not halve
 constexpr double part_of_motion = 0.02,
                  loosest = 100.0;  // of the fastest body's speed; of what is enough: that may be left
 constexpr int most_on_line = 12;
@@ -245,7 +245,7 @@ SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds) {
   double now = residual(island);
   BestImpulses best;
   best.keep(island, now);
-  Patience patience{most_patience, now};
+  Patience patience{most_proximal_patience, now};
   Proximal proximal{island};
   const double least = least_rho(island);
   set_base(island, island.all, tie_stiffness);

@@ -8,7 +8,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::size_t block_size = LawBlock::most, task_size = 4 * block_size;
+constexpr std::size_t field_block_size = LawBlock::most, task_size = 4 * field_block_size;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::unique_ptr<Block> Fields::make_block(LawBlock made) const { return std::mak
 /// Places are seen within the box.
 void Fields::gather(Block& block, Task& task, const Sites& sites, const Box& box) const {
   const std::uint32_t* const members = members_.data() + task.at;
-  const std::size_t n = std::min(block_size, task.end - task.at);
+  const std::size_t n = std::min(field_block_size, task.end - task.at);
   LawBlock& law = block.law;
   for (std::size_t k = 0; k < n; k++) {
     const Vec3 x = box.wrapped(sites.x[members[k]]), v = sites.v[members[k]];
