@@ -126,6 +126,7 @@ struct NodeTotals {
   double kinetic = 0.0;          ///< [J]
   Vec3 mass_position = zero3();  ///< [kg m] sum of mass times position
   bool finite = true;            ///< these sums and all orientations are; then all states are
+  bool known = false;            ///< they were found before the step ends
 };
 
 /// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the
@@ -212,8 +213,9 @@ struct ArticulateState {
   bool by_tree = false;  // it was moved by its tree last, and its velocities are as the rows want them
   // (stages) since it was too stiff for its tree, that one counted; 0: it is not, or never was
   std::uint16_t stages_not_stiff = 0;
-  DriftReport report;  // of the last phase
-  NodeTotals totals;   // at the end of the last step
+  DriftReport report;      // of the last drift
+  DriftReport projection;  // of the last projection, or of what settles after it
+  NodeTotals totals;       // at the end of the last step
   Rest rest;
 };
 

@@ -21,6 +21,7 @@
 #include "step/reject.hpp"
 #include "step/rk4.hpp"
 #include "step/share.hpp"
+#include "step/touch.hpp"
 #include "trees/tree.hpp"
 
 namespace pantin::phases {
@@ -232,6 +233,17 @@ bool is_as_left(const World& world, const Articulate& articulate) {
   });
 }
 
+/// Whether nothing acts on what is tied between its drift and the projection of its velocities: all of it is done in one visit
+/// then, while an articulate is in the cache.
+bool ends_in_drift(const World& world) {
+  return world.stage.last && !world.forces && !may_touch(world) && !world.ledger.kept;
+}
+
+void project(Articulate& articulate, const DriftSettings& settings) {
+  articulate.projection = {};
+  if (!articulate.by_tree) pantin::project_velocities(articulate, settings, articulate.projection);
+}
+
 /// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
 template <class Move>
 void drift_articulates(World& world, Move move) {
@@ -284,17 +296,24 @@ void drift_by_midpoint(World& world) {
       tell_unreached(world, missed[slot],
                      "the turning of " + describe(world, world.bodies.id_at(static_cast<std::uint32_t>(slot))));
   const double tree = tree_accuracy(world);
+  const bool ends = ends_in_drift(world);
   const std::vector<char> acted_on = tree > 0.0 ? articulates_acted_on(world) : std::vector<char>();
   while (tree > 0.0 && world.tree_workspaces.size() < static_cast<std::size_t>(world.workers->count()))
     world.tree_workspaces.push_back(std::make_unique<TreeWorkspace>());
-  drift_articulates(world, [&](Articulate& articulate, int worker) {
-    const auto w = static_cast<std::size_t>(worker);
+  const auto drift_one = [&](Articulate& articulate, std::size_t worker) {
     if (tree > 0.0 && (acted_on.empty() || !acted_on[index_of(world, articulate)]) &&
-        drift_as_tree(articulate, settings, tree, *world.tree_workspaces[w], articulate.report))
+        drift_as_tree(articulate, settings, tree, *world.tree_workspaces[worker], articulate.report))
       return;
     articulate.by_tree = false;
     if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
-    drift_accurately(articulate, settings, wanted, *world.trials[w]);
+    drift_accurately(articulate, settings, wanted, *world.trials[worker]);
+  };
+  drift_articulates(world, [&](Articulate& articulate, int worker) {
+    drift_one(articulate, static_cast<std::size_t>(worker));
+    if (!ends) return;
+    project(articulate, settings);
+    articulate.totals = totals_of(articulate);
+    articulate.totals.known = true;
   });
 }
 
@@ -312,15 +331,15 @@ void project_articulates(World& world) {
   const DriftSettings settings = drift_settings(world);
   const LedgerMark before = ledger_mark(world, true);
   double returned = 0.0;
-  share_articulates(world, [&](Articulate& articulate, int) {
-    articulate.report = {};
-    if (articulate.rest.asleep || articulate.by_tree) return;
-    pantin::project_velocities(articulate, settings, articulate.report);
-  });
+  if (!ends_in_drift(world))
+    share_articulates(world, [&](Articulate& articulate, int) {
+      if (!articulate.rest.asleep) project(articulate, settings);
+    });
   for (const auto& articulate : world.articulates) {
-    world.stats.projections += articulate->report.projections;
-    post_work(world, articulate->report);
-    returned += articulate->report.returned;
+    if (articulate->rest.asleep) continue;
+    world.stats.projections += articulate->projection.projections;
+    post_work(world, articulate->projection);
+    returned += articulate->projection.returned;
   }
   post_projection(world, before, returned);
 }
@@ -331,10 +350,10 @@ void settle_articulates(World& world) {
   if (std::none_of(world.articulates.begin(), world.articulates.end(), settles)) return;
   const LedgerMark before = ledger_mark(world, true);
   share_articulates(world, [&](Articulate& articulate, int) {
-    articulate.report = {};
-    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.report);
+    articulate.projection = {};
+    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.projection);
   });
-  for (const auto& articulate : world.articulates) post_work(world, articulate->report);
+  for (const auto& articulate : world.articulates) post_work(world, articulate->projection);
   post_projection(world, before, 0.0);
 }
 

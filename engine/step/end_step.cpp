@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
@@ -166,7 +167,8 @@ void end_step(World& world) {
   const double time = next_time(world);
   const OfLoosePoints points = measure_loose_points(world);
   share_articulates(world, [](Articulate& articulate, int) {
-    if (!articulate.rest.asleep) articulate.totals = totals_of(articulate);
+    if (!articulate.rest.asleep && !std::exchange(articulate.totals.known, false))
+      articulate.totals = totals_of(articulate);
   });
   if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
     world.failure =

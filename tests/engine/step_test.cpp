@@ -143,6 +143,18 @@ TEST_CASE("step: a point nailed far from its position is drawn there without a j
   CHECK(norm(last - vec(0, 1, 0)) <= 1e-9);
 }
 
+TEST_CASE("step: what is projected in the visit of its drift has the bits of what is projected in one of its own") {
+  World one, two;
+  keep_ledger(two);  // which looks at all between drift and projection
+  for (World* world : {&one, &two}) {
+    for (int i = 0; i < 3; i++) cases::add_chain(*world, {.links = 10 + i, .start = vec(0, 0, i)});
+    for (int i = 0; i < 240; i++) step(*world);
+  }
+  CHECK(state_hash(one) == state_hash(two));
+  CHECK(one.stats.projections == two.stats.projections);
+  CHECK(one.error.energy == two.error.energy);
+}
+
 TEST_CASE("step: an empty world steps") {
   World world;
   step(world);

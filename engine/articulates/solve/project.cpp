@@ -209,8 +209,11 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
   ImpulseWork done;
   for (int i = 0; i < 3; i++) {
     done += apply_projection(a);
-    const Velocities after = find_velocities(a, From::batches, true);
-    if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
+    const Velocities after = find_velocities(a, From::batches);
+    if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) {
+      for (std::uint32_t k = 0; k < a.factor.rows; k++) a.factor.substitute_forward(k, a.right_side.data());
+      continue;
+    }
     if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.all())) break;
     report.tell(done);
     return true;

@@ -98,9 +98,8 @@ void add_forces_exerted(Articulate& a, double h) {
 }
 
 void tell_tensions(const Articulate& a, Model& model) {
-  for (const Row& row : a.rows)
-    if (pulls_by_law(row))
-      model.connections[condition(a, row).stiff->connection].tension = -dot(row.f, direction(row.d1));
+  for (const Condition& c : a.conditions)
+    if (c.stiff) model.connections[c.stiff->connection].tension = -dot(row(a, c).f, direction(row(a, c).d1));
 }
 
 double kinetic_energy(const Articulate& a) {
