@@ -4,7 +4,7 @@ local space = scene:param("space", false, { help = "build in space, not in a pla
 scene.title = "Sandbox"
 scene.duration = 60
 if not space then scene.plane = "xy" end
-scene.camera = { at = vec(0, 2.6, 11), look_at = vec(0, 2, 0) }
+scene.camera = { at = vec(0, 3.4, 15), look_at = vec(0, 2.4, 0) }
 scene:floor { friction = 0.8, color = "#cfd8d3" }
 
 local deep = space and 6 or 1
