@@ -119,6 +119,8 @@ Json json_of(const Command& c) {
   if (c.point) json["point"] = json_of(c.point);
   if (c.other) json["other"] = json_of(c.other);
   if (!std::holds_alternative<std::monostate>(c.thing)) json["thing"] = json_of(c.thing);
+  if (!std::holds_alternative<std::monostate>(c.other_thing)) json["other_thing"] = json_of(c.other_thing);
+  if (c.form != MadeForm::bare) json["form"] = form_names[static_cast<std::size_t>(c.form)];
   if (norm2(c.position) != 0.0) json["place"] = json_of(c.position);
   if (norm2(c.amount) != 0.0) json["amount"] = json_of(c.amount);
   for (Vec3 point : c.points) json["points"].push_back(json_of(point));
@@ -136,6 +138,12 @@ Command::Kind kind_of(const std::string& name) {
   return static_cast<Command::Kind>(found - command_names.begin());
 }
 
+MadeForm form_of(const std::string& name) {
+  const auto found = std::find(form_names.begin(), form_names.end(), name);
+  require(found != form_names.end(), "there is no form '", name, "'");
+  return static_cast<MadeForm>(found - form_names.begin());
+}
+
 Command command_of(const Json& json) {
   Command c;
   c.kind = kind_of(json.at("kind"));
@@ -147,6 +155,10 @@ Command command_of(const Json& json) {
       read(value, c.other);
     else if (name == "thing")
       c.thing = thing_of(value);
+    else if (name == "other_thing")
+      c.other_thing = thing_of(value);
+    else if (name == "form")
+      c.form = form_of(value);
     else if (name == "place")
       c.position = vec_of(value);
     else if (name == "amount")

@@ -56,7 +56,8 @@ StepInput carried_over(const StepInput& input, const CarriedOver& carried) {
   for (HandMove move : input.moves)
     if (move_hand(move.hand)) result.moves.push_back(move);
   for (Command command : input.commands)
-    if (move_hand(command.hand) && point_there(command.point) && point_there(command.other) && there(command.thing))
+    if (move_hand(command.hand) && point_there(command.point) && point_there(command.other) && there(command.thing) &&
+        there(command.other_thing))
       result.commands.push_back(command);
   return result;
 }

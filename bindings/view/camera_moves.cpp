@@ -1,5 +1,6 @@
 #include "view/camera_moves.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "measure/measure.hpp"
@@ -20,11 +21,41 @@ void move_camera(const Gestures& gestures, const PointerEvent& event, bool on_pa
     camera.orbit(-event.dx / height * 3.0, event.dy / height * 3.0);
 }
 
+namespace {
+
+Things that_play(const World& world, const Stage& stage) {
+  constexpr double far = 10.0;  // of the stage's size
+  const Vec3 middle = 0.5 * (stage.lower + stage.upper);
+  const auto is_far = [&](Vec3 x) { return norm(x - middle) > far * stage.size; };
+  Things things = everything(world);
+  std::erase_if(things.bodies, [&](BodyId body) { return is_far(world.motion_of(body).x); });
+  std::erase_if(things.free_points, [&](PointId point) { return is_far(position(world, point)); });
+  return things;
+}
+
+bool sees_the_same(const Camera& a, const Camera& b) {
+  return norm(a.target - b.target) + std::fabs(a.distance - b.distance) < 1e-9 * a.distance;
+}
+
+}  // namespace
+
 void see_all(const World& world, const Stage& stage, double aspect, Camera& camera) {
   const std::optional<Vec3>& edges = world.settings.box;
-  const Bounds box = edges ? Bounds{zero3(), *edges} : bounds(world, everything(world));
   const Vec3 margin = vec(1, 1, 1) * (0.12 * stage.unit);
-  camera.frame(box.low - margin, box.high + margin, aspect);
+  const auto framed = [&](const Bounds& box) {
+    Camera to = camera;
+    to.frame(box.low - margin, box.high + margin, aspect);
+    return to;
+  };
+  const Things all = everything(world), near = that_play(world, stage);
+  const bool some_are_far = all.bodies.size() + all.free_points.size() > near.bodies.size() + near.free_points.size();
+  const bool some_are_near = near.bodies.size() + near.free_points.size() > 0;
+  if (edges || !some_are_far || !some_are_near) {
+    camera = framed(edges ? Bounds{zero3(), *edges} : bounds(world, all));
+    return;
+  }
+  const Camera to = framed(bounds(world, near));
+  camera = sees_the_same(camera, to) ? framed(bounds(world, all)) : to;
 }
 
 }  // namespace pantin

@@ -168,10 +168,10 @@ class Pen {
   }
 
   void join() {
-    if (!hand_.use->point()) return;
-    const PointId other = pick_held(viewport_, hand_.x, hand_.y).point;
-    const bool there = other && other != hand_.use->point();
-    const Vec3 from = shown_place(viewport_.world, hand_.use->point());
+    if (!hand_.use->begun_at(viewport_.world)) return;
+    const Held other = pick_held(viewport_, hand_.x, hand_.y);
+    const bool there = other && other.point != hand_.use->point();
+    const Vec3 from = hand_.use->start(viewport_);
     ring(from, 26.0, color_);
     line(from, there ? shown_place(viewport_.world, other) : hand_.use->place(viewport_, hand_.x, hand_.y), color_,
          2.5);
@@ -183,14 +183,21 @@ class Pen {
     ring_on_screen(2.0 * heat_radius(viewport_, depth) / pixel, hand_.choice.variant == 1 ? cold : warm);
   }
 
+  void made_box(const Command& c) {
+    for (std::size_t i = 0; i < 8; i++)
+      for (std::size_t axis = 1; axis < 8; axis *= 2)
+        if ((i & axis) == 0) line(c.position + c.points[i], c.position + c.points[i | axis], color_, 2.0);
+  }
+
   /// What would be made: a line, or the shortest lines between corners, or a ball's outline.
   void made() {
     const Command c = hand_.use->making(viewport_);
-    if (c.points.size() == 1) {
+    if (c.points.size() == 1 || c.form == MadeForm::wheel) {
       const auto seen = viewport_.project(c.position);
       if (seen) ring(c.position, std::max(6.0, 2.0 * c.radius / seen->pixel), color_);
       return;
     }
+    if (c.points.size() == 8) return made_box(c);
     double edge = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < c.points.size(); i++)
       for (std::size_t k = 0; k < i; k++) edge = std::min(edge, norm(c.points[i] - c.points[k]));

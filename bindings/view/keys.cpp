@@ -65,7 +65,7 @@ std::vector<WindowKeys> make_table() {
       {"View", Use::told, {}, "middle drag", "shift the view (or shift + right)"},
       {"View", Use::told, {}, "wheel", "zoom"},
       {"View", Use::told, {}, "double click", "follow a thing; beside all, none", 0, play},
-      {"View", Use::see_all, {"f"}, "f", "see the whole scene"},
+      {"View", Use::see_all, {"f"}, "f", "see what plays; again: also what is far away"},
       {"View", Use::see_freely, {"u"}, "u", "in perspective"},
       {"View", Use::see_front, {"i"}, "i", "from the front, without perspective"},
       {"View", Use::see_right, {"o"}, "o", "from the right side"},

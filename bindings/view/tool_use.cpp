@@ -1,6 +1,7 @@
 #include "view/tool_use.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -60,14 +61,62 @@ std::optional<Vec3> usual_height(const World& world) {
   return {};
 }
 
+enum Makes : std::size_t { rod, ball, box, wheel, tetrahedron, octahedron, dodecahedron };
+enum Joins : std::size_t { hinge };
+enum Spins : std::size_t { once, motor };
+
 std::vector<Vec3> vertices_of(std::size_t variant) {
   switch (variant) {
-    case 2: return shapes::tetrahedron(1.0).vertices;
-    case 3: return shapes::cube(1.0).vertices;
-    case 4: return shapes::octahedron(1.0).vertices;
-    case 5: return shapes::dodecahedron(1.0).vertices;
+    case tetrahedron: return shapes::tetrahedron(1.0).vertices;
+    case octahedron: return shapes::octahedron(1.0).vertices;
+    case dodecahedron: return shapes::dodecahedron(1.0).vertices;
     default: return shapes::icosahedron(1.0).vertices;
   }
+}
+
+/// What is built by hand has numbers that can be read: to some hundredth of the unit, a power of ten [m].
+double round_step(double unit) { return std::pow(10.0, std::floor(std::log10(0.02 * unit))); }
+Vec3 rounded(Vec3 x, double step) {
+  const double per_step = std::round(1.0 / step);
+  for (int i = 0; i < 3; i++)
+    x[i] = step < 1.0 ? std::round(x[i] * per_step) / per_step : std::round(x[i] / step) * step;
+  return x;
+}
+
+/// [m] Where a pixel's line meets the plane of a world that has one.
+std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y) {
+  const int normal = viewport.world.plane.normal;
+  if (normal < 0) return {};
+  const Vec3 near = viewport.place(x, y, 1.0), far = viewport.place(x, y, 2.0);
+  const double height = usual_height(viewport.world).value_or(zero3())[normal];
+  const double depth = 1.0 + (height - near[normal]) / (far[normal] - near[normal]);
+  return std::isfinite(depth) && depth > 0.0 ? std::optional(depth) : std::nullopt;
+}
+
+std::vector<Vec3> corners_of(Vec3 half) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; i++) corners.push_back(half * vec(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0));
+  return corners;
+}
+
+/// Half the edges of a box that is dragged from corner to corner: as deep as it is narrow.
+Vec3 half_of_box(Vec3 way, double least) {
+  Vec3 half = 0.5 * vec(std::fabs(way[0]), std::fabs(way[1]), std::fabs(way[2]));
+  int depth = 0;
+  for (int i = 1; i < 3; i++)
+    if (half[i] < half[depth]) depth = i;
+  const double a = std::fmax(half[(depth + 1) % 3], least), b = std::fmax(half[(depth + 2) % 3], least);
+  half[(depth + 1) % 3] = a;
+  half[(depth + 2) % 3] = b;
+  half[depth] = std::fmin(a, b);
+  return half;
+}
+
+/// Across the plane, or along the axis of the ground that is seen along most.
+Vec3 axle_of(const Viewport& viewport) {
+  if (viewport.world.plane.flat()) return viewport.world.plane.about(vec(1, 1, 1));
+  const Vec3 along = viewport.camera.forward();
+  return std::fabs(along[0]) > std::fabs(along[2]) ? vec(1, 0, 0) : vec(0, 0, 1);
 }
 
 }  // namespace
@@ -106,6 +155,7 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
   } else {
     point_ = {};
     body_ = {};
+    if (const auto depth = depth_of_plane(viewport, x, y)) depth_ = *depth;
   }
   switch (choice.kind) {
     case ToolKind::drag: return grab(viewport, output);
@@ -113,7 +163,7 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
     case ToolKind::nail: return nail(viewport, output);
     case ToolKind::remove: return remove(viewport, output);
     case ToolKind::join:
-      if (!point_) output.said.push_back("join: begin at a point, and let go at another");
+      if (!point_ && !body_) output.said.push_back("join: begin at a thing, and let go at another");
       break;
     case ToolKind::push:
     case ToolKind::spin:
@@ -167,23 +217,12 @@ void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
       if (done_.empty()) output.said.push_back(std::string("nothing was cut: ") + choice_.tool().help);
       break;
     case ToolKind::join:
-      if (viewport.world.points.alive(point_)) join(viewport, output);
+      if (alive) join(viewport, output);
       break;
     case ToolKind::push:
-    case ToolKind::spin: {
-      if (!alive) break;
-      const bool push = choice_.kind == ToolKind::push;
-      Command c = command_there(viewport, push ? Command::Kind::push : Command::Kind::spin);
-      c.amount = push ? impulse(viewport) : turn(viewport);
-      if (!push && is_click()) {
-        output.said.push_back("spin: drag over a body");
-        break;
-      }
-      send(c, output);
-      output.said.push_back(push ? "pushed by " + short_number(norm(c.amount)) + " N s"
-                                 : "spun by " + short_number(norm(c.amount)) + " rad/s");
+    case ToolKind::spin:
+      if (alive) turn_or_push(viewport, output);
       break;
-    }
     case ToolKind::make:
       send(making(viewport), output);
       output.said.push_back(std::string("made a ") + choice_.tool().variants[choice_.variant]);
@@ -245,39 +284,98 @@ Vec3 ToolUse::turn(const Viewport& viewport) const {
 
 Command ToolUse::making(const Viewport& viewport) const {
   Command c = command(Command::Kind::make);
-  const double unit = viewport.stage.unit, length = norm(way(viewport));
-  const bool click = is_click();
+  const World& world = viewport.world;
+  const bool touches = !world.shapes.empty();
+  c.point = {};
   double part = 1.0;  // of its usual size
-  c.position = start(viewport);
-  if (choice_.variant == 0) {
-    const PointId end = click ? PointId{} : pick_held(viewport, x_, y_).point;
-    c.points = {zero3(),
-                click ? viewport.camera.right() * unit : way(viewport) + viewport.place(x0_, y0_, depth_) - c.position};
-    c.point = viewport.world.points.alive(point_) ? point_ : PointId{};
-    if (end && end != point_) {
-      c.other = end;
-      c.points[1] = position(viewport.world, end) - c.position;
-    }
-    part = norm(c.points[1]) / unit;
-  } else {
-    const double usual = choice_.variant == 1 ? 0.25 * unit : 0.5 * unit, radius = click ? usual : length;
-    c.position = viewport.place(x0_, y0_, depth_);
-    part = std::pow(radius / usual, 3.0);
-    if (choice_.variant == 1) {
-      c.points = {zero3()};
-      c.radius = radius;
-    } else {
-      c.points = vertices_of(choice_.variant);
-      const double scale = radius / norm(c.points[0]);
-      for (Vec3& p : c.points) p *= scale;
-    }
+  if (choice_.variant == rod)
+    part = make_rod(viewport, c);
+  else if (choice_.variant == box)
+    part = make_box(viewport, c);
+  else
+    part = make_round(viewport, c);
+  if (const auto height = usual_height(world); !world.points.alive(c.point))
+    c.position = world.plane.beside(c.position, height.value_or(zero3()));
+  if (choice_.variant == rod) c.points[1] = world.plane.along(c.points[1]);
+  if (!touches) {
+    c.mass = usual_mass(world) * part;
+    c.amount = zero3();
+    return c;
   }
-  const Plane& plane = viewport.world.plane;
-  if (const auto height = usual_height(viewport.world); height && !viewport.world.points.alive(c.point))
-    c.position = plane.beside(c.position, *height);
-  if (choice_.variant == 0) c.points[1] = plane.along(c.points[1]);
-  c.mass = usual_mass(viewport.world) * part;
+  static constexpr std::array<MadeForm, 4> forms = {MadeForm::rod, MadeForm::ball, MadeForm::box, MadeForm::wheel};
+  c.form = choice_.variant < forms.size() ? forms[choice_.variant] : MadeForm::hull;
   return c;
+}
+
+/// Each returns its mass by that of a usual thing.
+double ToolUse::make_rod(const Viewport& viewport, Command& c) const {
+  const World& world = viewport.world;
+  const bool touches = !world.shapes.empty();
+  const double unit = viewport.stage.unit;
+  c.position = start(viewport);
+  c.point = world.points.alive(point_) ? point_ : PointId{};
+  if (touches) c.radius = 0.05 * unit;
+  if (touches && !c.point && body_) c.thing = body_;
+  if (touches && !c.point && !body_) c.position = rounded(c.position, round_step(unit));
+  if (is_click()) {
+    c.points = {zero3(), viewport.camera.right() * unit};
+    return 1.0;
+  }
+  Vec3 to = viewport.place(x_, y_, depth_);
+  const Held end = pick_held(viewport, x_, y_);
+  if (end.point && end.point != point_) {
+    c.other = end.point;
+    to = position(world, end.point);
+  } else if (touches && end.body && end.body != body_) {
+    c.other_thing = end.body;
+  } else if (touches) {
+    to = rounded(to, round_step(unit));
+  }
+  c.points = {zero3(), to - c.position};
+  return norm(c.points[1]) / unit;
+}
+
+double ToolUse::make_box(const Viewport& viewport, Command& c) const {
+  const double unit = viewport.stage.unit, step = round_step(unit);
+  const Vec3 from = viewport.place(x0_, y0_, depth_);
+  const Vec3 to = is_click() ? from + 0.5 * unit * (viewport.camera.right() + viewport.camera.up())
+                             : viewport.place(x_, y_, depth_);
+  const Vec3 way_to = rounded(to, step) - rounded(from, step);
+  c.position = 0.5 * (rounded(from, step) + rounded(to, step));
+  c.amount = half_of_box(way_to, step);
+  c.points = corners_of(c.amount);
+  return c.amount[0] * c.amount[1] * c.amount[2] / std::pow(0.25 * unit, 3.0);
+}
+
+double ToolUse::make_round(const Viewport& viewport, Command& c) const {
+  const double unit = viewport.stage.unit, step = round_step(unit);
+  const bool is_round = choice_.variant == ball || choice_.variant == wheel, touches = !viewport.world.shapes.empty();
+  const double usual = is_round ? 0.25 * unit : 0.5 * unit, length = is_click() ? usual : norm(way(viewport));
+  const double radius = std::fmax(touches ? rounded(vec(length, 0, 0), step)[0] : length, step);
+  c.position = viewport.place(x0_, y0_, depth_);
+  if (choice_.variant == wheel && (point_ || body_)) {
+    c.position = start(viewport);
+    c.point = viewport.world.points.alive(point_) ? point_ : PointId{};
+    if (!c.point) c.thing = body_;
+  } else if (touches) {
+    c.position = rounded(c.position, step);
+  }
+  c.points = {zero3()};
+  if (is_round) c.radius = radius;
+  if (choice_.variant == wheel) {
+    c.amount = axle_of(viewport) * (0.2 * radius);
+    constexpr int spokes = 12;
+    const Vec3 across = cross(axle_of(viewport), vec(0, 1, 0)), other = cross(across, axle_of(viewport));
+    for (int i = 0; i < spokes && norm2(across) > 0.0; i++) {
+      const double angle = 6.283185307179586 * i / spokes;
+      c.points.push_back((across * std::cos(angle) + other * std::sin(angle)) * radius);
+    }
+  } else if (!is_round) {
+    c.points = vertices_of(choice_.variant);
+    const double scale = radius / norm(c.points[0]);
+    for (Vec3& p : c.points) p *= scale;
+  }
+  return std::pow(radius / usual, 3.0);
 }
 
 Command ToolUse::command(Command::Kind kind) const {
@@ -297,7 +395,6 @@ Command ToolUse::command_there(const Viewport& viewport, Command::Kind kind) con
   return c;
 }
 
-/// Whether there is what it began at.
 bool ToolUse::begun_at(const World& world) const { return world.points.alive(point_) || world.bodies.alive(body_); }
 
 BodyId ToolUse::body_of(const World& world) const {
@@ -375,12 +472,35 @@ void ToolUse::remove(const Viewport& viewport, ToolOutput& output) {
                                           : "removed " + counted(done_.size(), "thing", "things"));
 }
 
-void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
-  Command c = command(Command::Kind::join);
-  c.other = pick_held(viewport, x_, y_).point;
-  if (!c.other || c.other == point_) return output.said.push_back("join: let go at another point");
+void ToolUse::turn_or_push(const Viewport& viewport, ToolOutput& output) {
+  const bool push = choice_.kind == ToolKind::push, drive = !push && choice_.variant == motor;
+  Command c = command_there(viewport, push ? Command::Kind::push : drive ? Command::Kind::drive : Command::Kind::spin);
+  if (push)
+    c.amount = impulse(viewport);
+  else if (!is_click())
+    c.amount = turn(viewport);
+  if (!push && !drive && is_click()) return output.said.push_back("spin: drag over a body");
   send(c, output);
-  output.said.push_back("joining");
+  const std::string size = short_number(norm(c.amount));
+  output.said.push_back(push                     ? "pushed by " + size + " N s"
+                        : !drive                 ? "spun by " + size + " rad/s"
+                        : norm2(c.amount) == 0.0 ? std::string("took its motor away")
+                                                 : "a motor turns it by " + size + " rad/s");
+}
+
+void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
+  const bool hinged = choice_.variant == hinge;
+  Command c = command_there(viewport, hinged ? Command::Kind::join : Command::Kind::tie);
+  const Held end = pick_held(viewport, x_, y_);
+  c.position = start(viewport);
+  c.points = {end ? shown_place(viewport.world, end) : viewport.place(x_, y_, depth_)};
+  c.other = end.point;
+  if (!end.point && end.body) c.other_thing = end.body;
+  const bool same = end && (end.point ? end.point == point_ : end.body == body_);
+  if (same || (hinged && !end) || is_click()) return output.said.push_back("join: let go at another thing");
+  c.name = hinged ? "" : choice_.tool().variants[choice_.variant];
+  send(c, output);
+  output.said.push_back(hinged ? std::string("joining") : "tied by a " + c.name);
 }
 
 }  // namespace pantin

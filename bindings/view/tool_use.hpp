@@ -35,6 +35,8 @@ class ToolUse {
   bool holding() const { return active_ && choice_.kind == ToolKind::drag && (point_ || body_); }
   ToolChoice choice() const { return choice_; }
   PointId point() const { return point_; }  ///< at which it began, or null
+  /// Whether there is what it began at.
+  bool begun_at(const World& world) const;
   /// Where the hand is [m]: at the depth of what it began at.
   Vec3 place(const Viewport& viewport, double x, double y) const;
   /// Where it began to drag [m]: the point as it is now, or the place of the press.
@@ -60,8 +62,11 @@ class ToolUse {
   void cut(const Viewport& viewport, double x, double y, ToolOutput& output);
   void remove(const Viewport& viewport, ToolOutput& output);
   void join(const Viewport& viewport, ToolOutput& output);
+  void turn_or_push(const Viewport& viewport, ToolOutput& output);
+  double make_rod(const Viewport& viewport, Command& command) const;
+  double make_box(const Viewport& viewport, Command& command) const;
+  double make_round(const Viewport& viewport, Command& command) const;
   bool is_click() const;
-  bool begun_at(const World& world) const;
   BodyId body_of(const World& world) const;
 
   ToolChoice choice_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "choreography/build_by_hand.hpp"
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
@@ -14,23 +15,6 @@ namespace pantin {
 using namespace internal;
 
 namespace {
-
-/// The body that is meant where no point is; null: none.
-BodyId body_meant(const Command& c) {
-  const auto* body = std::get_if<BodyId>(&c.thing);
-  return body && !c.point ? *body : BodyId{};
-}
-
-/// The point that is meant, or a new one at the place of the body that is.
-PointId point_meant(World& world, const Command& c, std::string name = "") {
-  const BodyId body = body_meant(c);
-  if (!body) return c.point;
-  require_finite(name_of(c.kind), "position", c.position, "m");
-  PointDef def;
-  def.at = rotate(conjugate(orientation(world, body)), c.position - origin(world, body));
-  def.name = std::move(name);
-  return add_point(world, body, def);
-}
 
 /// What a point is called that is there to be held by a hand.
 std::string name_of_grip(std::int32_t hand) { return text("(grip of hand ", hand + 1, ")"); }
@@ -85,15 +69,6 @@ void cut_by_hand(World& world, const Command& c) {
   if (told.kind != Notice::Kind::drop) told.hand = c.hand;  // a drop is of the hand that held
 }
 
-void join_by_hand(World& world, const Command& c) {
-  for (PointId p : {c.point, c.other}) require(world.points.alive(p), "join: ", world.points.story(p));
-  JoinDef def;
-  def.max_force = c.max_force;
-  if (c.max_force == 0.0) def.max_force = std::fmax(usual_grab_force(world, c.point), usual_grab_force(world, c.other));
-  def.time_constant = 0.1;
-  add_join(world, c.point, c.other, def);
-}
-
 void spin_by_hand(World& world, const Command& c) {
   require_finite("spin", "spin", c.amount, "rad/s");
   const BodyId body = body_meant(c) ? body_meant(c) : world.points[c.point].body;
@@ -101,44 +76,6 @@ void spin_by_hand(World& world, const Command& c) {
   const Motion& m = world.motion_of(body);
   const Vec3 spin = rotate(m.q, m.angular * inverse_inertia(m));
   set_spin(world, body, spin + world.plane.about(c.amount));
-}
-
-/// Moves what is made so that an end is where the point is to which it is hinged.
-void hinge_end(World& world, PointId end, PointId to) {
-  if (!world.points.alive(to)) return;
-  const PointId ring[] = {to, end};
-  add_hinge(world, ring);
-}
-
-void make_by_hand(World& world, const Command& c) {
-  require(!c.points.empty(), "make: no points were given");
-  require_finite("make", "position", c.position, "m");
-  if (c.points.size() == 1) {
-    ParticleDef def;
-    def.at = c.position + c.points[0];
-    def.mass = c.mass;
-    def.radius = c.radius;
-    add_particle(world, def);
-    return;
-  }
-  BodyDef def;
-  def.at = c.position;
-  for (Vec3 at : c.points) {
-    def.points.emplace_back();
-    def.points.back().at = at;
-    def.points.back().mass = c.mass / static_cast<double>(c.points.size());
-    def.points.back().radius = c.radius;
-  }
-  if (world.points.alive(c.point)) def.points.front().at = position(world, c.point) - c.position;
-  if (world.points.alive(c.other)) def.points.back().at = position(world, c.other) - c.position;
-  const BodyId body = add_body(world, def);
-  try {
-    hinge_end(world, world.bodies[body].points.front(), c.point);
-    hinge_end(world, world.bodies[body].points.back(), c.other);
-  } catch (const Error&) {
-    remove(world, body);
-    throw;
-  }
 }
 
 /// A single thing at rest has no motion relative to itself, and stays as it is.
@@ -167,6 +104,8 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::remove: return remove(world, c.thing);
     case Command::Kind::make: return make_by_hand(world, c);
     case Command::Kind::heat: return heat_by_hand(world, c);
+    case Command::Kind::tie: return tie_by_hand(world, c);
+    case Command::Kind::drive: return drive_by_hand(world, c);
   }
 }
 

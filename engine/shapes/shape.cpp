@@ -117,6 +117,11 @@ struct CheckShape {
 
 }  // namespace
 
+Quat turn_to(Vec3 d) {
+  if (d[2] < -0.999999) return {0.0, 1.0, 0.0, 0.0};
+  return normalised({1.0 + d[2], -d[1], d[0], 0.0});
+}
+
 bool is_convex(const Geometry& shape) {
   return !std::holds_alternative<HalfSpaceShape>(shape) && !std::holds_alternative<MeshPtr>(shape) &&
          !std::holds_alternative<FieldPtr>(shape);

@@ -45,6 +45,9 @@ struct Pose {
 };
 inline Pose operator*(const Pose& outer, const Pose& inner) { return {outer.to_world(inner.x), outer.R * inner.R}; }
 
+/// Turns the third axis, which capsules, cylinders and half spaces are about, to a direction of length 1.
+Quat turn_to(Vec3 direction);
+
 /// Whether it may be a body's: it has a volume, and each two of its points have the way between them in it.
 bool is_convex(const Geometry& shape);
 /// Axis-aligned, in the world; of a half space infinite.

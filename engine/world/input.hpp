@@ -17,27 +17,54 @@ struct HandMove {
   bool pressed = false;
 };
 
+/// What a thing that hands make touches with: nothing; round a rod's length; a ball; a box; a wheel; the hull of its points.
+enum class MadeForm : std::uint8_t { bare, rod, ball, box, wheel, hull };
+/// (forms) as recordings call them
+inline constexpr std::array<std::string_view, 6> form_names = {"bare", "rod", "ball", "box", "wheel", "hull"};
+
 /// What a person did before a step, besides moving. Each kind reads the fields that name it.
 struct Command {
-  enum class Kind : std::uint8_t { grab, release, cut, key, button, join, nail, push, spin, remove, make, heat };
+  enum class Kind : std::uint8_t {
+    grab,
+    release,
+    cut,
+    key,
+    button,
+    join,
+    nail,
+    push,
+    spin,
+    remove,
+    make,
+    heat,
+    tie,
+    drive
+  };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
-  PointId point;  ///< grab, nail, push, spin (its body); join: the first; make: what the first end is hinged to
-  PointId other;  ///< join: the second; make: what the last end is hinged to
-  AnyId thing;    ///< cut: a hinge, connection or constraint; remove: anything
-  Vec3 position = zero3();   ///< [m] make: of what is made; heat: the middle of the ball that is heated
-  Vec3 amount = zero3();     ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's, world axes
-  std::vector<Vec3> points;  ///< [m] make: from `position`; one makes a free particle, more a rigid body
-  double max_force = 0.0;    ///< [N] grab, join; 0 takes `usual_grab_force`
-  double mass = 0.0;         ///< [kg] make: of all points
-  double radius = 0.0;       ///< [m] make: of the points; heat: of the ball
-  double energy = 0.0;       ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
-  std::string name;          ///< key, button
+  PointId point;  ///< grab, nail, push, spin (its body), tie: the first; make: what the first end is hinged to
+  PointId other;  ///< join, tie: the second; make: what the last end is hinged to
+  AnyId thing;  ///< cut: a hinge, connection or constraint; remove: anything; else the body meant where `point` is null
+  AnyId other_thing;  ///< join, tie, make: the body meant where `other` is null
+  Vec3 position =
+      zero3();  ///< [m] make: of what is made; heat: the middle of the ball that is heated; else on the body
+  Vec3 amount =
+      zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's; drive: its motor's; make: half the edges
+                ///< of a box [m], a wheel's axle, half its thickness long [m]; world axes
+  std::vector<Vec3> points;  ///< [m] make: from `position`, the two ends of a rod first; join, tie: the other end alone
+  MadeForm form =
+      MadeForm::bare;      ///< make: what of it touches; bare: one point makes a free particle, more a rigid body
+  double max_force = 0.0;  ///< [N] grab, join; 0 takes `usual_grab_force`
+  double mass = 0.0;       ///< [kg] make: of all; 0: by the usual density of what touches
+  double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; heat: of the ball
+  double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
+  std::string name;        ///< key, button; tie: "rod", "rope" or "spring"
 };
 
 /// (kinds) as recordings and the log call them
-inline constexpr std::array<std::string_view, 12> command_names = {
-    "grab", "release", "cut", "key", "button", "join", "nail", "push", "spin", "remove", "make", "heat"};
+inline constexpr std::array<std::string_view, 14> command_names = {"grab", "release", "cut",  "key",  "button",
+                                                                   "join", "nail",    "push", "spin", "remove",
+                                                                   "make", "heat",    "tie",  "drive"};
 inline std::string_view name_of(Command::Kind kind) { return command_names[static_cast<std::size_t>(kind)]; }
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.

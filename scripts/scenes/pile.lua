@@ -32,15 +32,20 @@ local makers = {
 }
 
 local things = {}
-local function drop(i, height)
+local function drop(i, lowest) -- nine beside each other, and nothing in something else
   local turn = quat(vec(some(-1, 1), some(-1, 1), some(0.1, 1)), some(0, math.pi))
   local kind = i % 2 == 1 and 1 or i % 4 == 2 and 2 or 3 + i // 4 % 3 -- half of them boxes, a quarter balls
   things[#things + 1] = scene:body { shape = makers[kind](), orientation = turn, color = colors[i % #colors + 1],
-                                     at = vec(some(-1.4, 1.4), height, some(-1.4, 1.4)) }
+                                     at = vec(0.95 * (i % 3 - 1) + some(-0.03, 0.03), lowest + 0.9 * (i // 9),
+                                              0.95 * (i // 3 % 3 - 1) + some(-0.03, 0.03)) }
 end
-for i = 1, count do drop(i, 0.8 + 0.16 * i) end
+for i = 1, count do drop(i, 0.8) end
 
-local function pour() for i = 1, 20 do drop(i, 3 + 0.4 * i) end end
+local function pour()
+  local most = 2
+  for _, one in ipairs(things) do most = math.max(most, one.position.y) end
+  for i = 1, 20 do drop(i, most + 1) end
+end
 scene:every(10, function() if #things < 2 * count then pour() end end)
 scene:button("pour in more", pour)
 scene:probe("highest", function()

@@ -306,6 +306,8 @@ TEST_CASE("recording: every command comes back as it was written") {
   c.point = {4, 7};
   c.other = {9, 1};
   c.thing = ConnectionId{5, 6};
+  c.other_thing = BodyId{3, 2};
+  c.form = MadeForm::wheel;
   c.position = vec(0.1, 0.2, 0.3);
   c.amount = vec(1e-17, 0, -2);
   c.points = {vec(1, 2, 3), vec(1.0 / 7.0, 0, 0)};
@@ -323,7 +325,7 @@ TEST_CASE("recording: every command comes back as it was written") {
   CHECK((r.kind == c.kind && r.hand == 3 && r.point == c.point && r.other == c.other && r.thing == c.thing));
   CHECK((same(r.position, c.position) && same(r.amount, c.amount) && same(r.points.at(1), c.points[1])));
   CHECK((r.max_force == c.max_force && r.mass == c.mass && r.radius == c.radius && r.energy == c.energy));
-  CHECK(r.name == c.name);
+  CHECK((r.name == c.name && r.other_thing == c.other_thing && r.form == c.form));
 }
 
 TEST_CASE("recording: the program plays one again") {

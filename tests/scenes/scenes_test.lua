@@ -194,3 +194,23 @@ test("plates: the ball breaks each, and no piece goes through the floor", functi
   for _, body in ipairs(plates.bodies) do expect(body.position.y):above(0) end
   expect(plates.error.energy):below(1e-3)
 end)
+
+test("the sandbox stands, and falls asleep, in a plane and in space", function()
+  for _, space in ipairs { false, true } do
+    local sandbox = open("scenes/sandbox.lua", { space = space })
+    sandbox:advance(5)
+    expect(sandbox.energy.kinetic):equal(0)
+    expect(sandbox.error.worst_energy):below(1e-5)
+    local highest = 0
+    for _, body in ipairs(sandbox.bodies) do highest = math.max(highest, body.position.y) end
+    expect(highest):near(2.2, 1e-3)
+  end
+end)
+
+test("the pile begins with nothing in something else", function()
+  local pile = open("scenes/pile.lua")
+  pile:advance(0.1)
+  expect(pile.error.penetration):below(1e-6)
+  pile:advance(3)
+  expect(pile.error.worst_energy):below(1e-4)
+end)

@@ -163,6 +163,21 @@ TEST_CASE("right turns, middle shifts, the wheel zooms and f frames", "[view]") 
   CHECK(norm(play.camera.target - vec(2, 4, 0)) < 1e-9);
 }
 
+TEST_CASE("f frames what plays, and pressed again also what fell far away", "[view]") {
+  Play play;
+  small_worlds::particle(play.world, vec(0, -1e4, 0));
+  play.gestures.keys = {"f"};
+  play.apply();
+  CHECK(norm(play.camera.target - vec(2, 4, 0)) < 1e-9);
+  const double near = play.camera.distance;
+  play.gestures.keys = {"f"};
+  play.apply();
+  CHECK(play.camera.distance > 100.0 * near);
+  play.gestures.keys = {"f"};
+  play.apply();
+  CHECK(play.camera.distance == Approx(near));
+}
+
 TEST_CASE("keys ask the program, and those that it has no use for reach the scene", "[view]") {
   Play play;
   play.gestures.keys = {"space", ".", "r", "s", "h", "escape", "j"};

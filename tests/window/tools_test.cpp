@@ -82,7 +82,7 @@ struct Bench {
 
 TEST_CASE("a tool that is chosen again takes its next variant, and tools go round", "[view]") {
   for (const Tool& tool : tools()) CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
-  ToolChoice choice{ToolKind::make, 6};
+  ToolChoice choice{ToolKind::make, 7};
   choice.choose(ToolKind::make);
   CHECK(choice.variant == 0);
   choice.move_on(-1);
@@ -243,7 +243,7 @@ TEST_CASE("tools keep to the plane of a world that has one", "[view]") {
   bench.drag(now, {now.x + 80, now.y});
   CHECK(angular_momentum(bench.world, bench.rods[1])[2] < before);
   in_plane();
-  for (const std::size_t variant : {std::size_t{0}, std::size_t{3}}) {
+  for (const std::size_t variant : {std::size_t{0}, std::size_t{2}}) {
     bench.choose(ToolKind::make, variant);
     bench.drag({200, 500}, {260, 540});
     in_plane();
@@ -289,8 +289,8 @@ TEST_CASE("make makes rods that are hinged to what is under their ends, balls an
   bench.choose(ToolKind::make, 1);
   bench.drag({100, 600}, {130, 600});
   CHECK(bench.world.particles[particles(bench.world).back()].points.size() == 1);
-  const std::size_t corners[] = {4, 8, 6, 20, 12};
-  for (std::size_t i = 0; i < 5; i++) {
+  const std::size_t corners[] = {8, 13, 4, 6, 20, 12};
+  for (std::size_t i = 0; i < 6; i++) {
     bench.choose(ToolKind::make, i + 2);
     bench.drag({200, 200}, {230, 220});
     const BodyId body = bench.world.bodies.ids().back();
@@ -301,6 +301,97 @@ TEST_CASE("make makes rods that are hinged to what is under their ends, balls an
   bench.click({300, 200});
   CHECK(bench.world.bodies.ids().size() == 6);
   CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("where something touches, what is made touches: it falls on the floor and rests there", "[view]") {
+  Bench bench(1);
+  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
+  const Projected corner = bench.seen(vec(-1, 1, 0)), other = bench.seen(vec(1, 2, 0));
+  for (std::size_t variant = 0; variant < 8; variant++) {
+    bench.choose(ToolKind::make, variant);
+    bench.drag(corner, other);
+    const BodyId body = bench.world.bodies.ids().back();
+    REQUIRE(bench.world.bodies[body].shapes.size() == 1);
+    for (int i = 0; i < 480; i++) step(bench.world);
+    const Vec3 x = bench.world.motion_of(body).x;
+    CHECK(x[1] > 0.0);
+    CHECK(x[1] < 2.5);
+    CHECK(norm(bench.world.motion_of(body).p) < 3.0 * bench.world.motion_of(body).mass);
+    remove(bench.world, body);
+  }
+  CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("a box that is dragged from corner to corner has numbers that can be read", "[view]") {
+  Bench bench(1);
+  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
+  bench.world.settings.gravity = zero3();
+  bench.choose(ToolKind::make, 2);
+  bench.drag(bench.seen(vec(-1.0023, 1.004, 0)), bench.seen(vec(1.0031, 1.999, 0)));
+  const BodyId body = bench.world.bodies.ids().back();
+  const auto half = std::get<BoxShape>(bench.world.shapes[bench.world.bodies[body].shapes[0]].geometry).half;
+  CHECK(half[0] == Approx(1.0).margin(1e-12));
+  CHECK(half[1] == Approx(0.5).margin(1e-12));
+  CHECK(half[2] == half[1]);
+  CHECK(norm(origin(bench.world, body) - vec(0, 1.5, 0)) < 1e-12);
+}
+
+TEST_CASE("a wheel is hinged to the body it is made on, and a motor turns it until a click takes that away", "[view]") {
+  Bench bench(1);
+  set_plane(bench.world, Plane{2});
+  bench.world.settings.gravity = zero3();
+  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
+  bench.choose(ToolKind::make, 2);
+  bench.drag(bench.seen(vec(-1, 1, 0)), bench.seen(vec(1, 2, 0)));
+  const BodyId car = bench.world.bodies.ids().back();
+  bench.choose(ToolKind::make, 3);
+  bench.drag(bench.seen(vec(0.5, 1.2, 0)), bench.seen(vec(1, 1.2, 0)));
+  const BodyId wheel = bench.world.bodies.ids().back();
+  CHECK(hinges_of(bench.world, wheel).size() == 1);
+  CHECK(hinges_of(bench.world, car) == hinges_of(bench.world, wheel));
+  bench.choose(ToolKind::spin, 1);
+  const Projected rim = bench.seen(bench.world.motion_of(wheel).x + vec(0.3, 0.1, 0));
+  bench.drag(rim, {rim.x + 100, rim.y});
+  CHECK_THAT(bench.said.back(), Contains("a motor turns it by"));
+  CHECK(bench.world.constraints.size() == 2);
+  for (int i = 0; i < 30; i++) step(bench.world);
+  CHECK(bench.world.motion_of(wheel).angular[2] < 0.0);
+  bench.click(bench.seen(bench.world.motion_of(wheel).x + vec(0.3, 0.1, 0)));
+  CHECK(bench.world.constraints.size() == 1);
+  bench.choose(ToolKind::spin, 1);
+  bench.world.log.clear();
+  bench.drag(bench.seen(bench.world.motion_of(car).x + vec(-0.8, 0.3, 0)), {400, 300});
+  CHECK(bench.world.constraints.size() == 2);
+}
+
+TEST_CASE("join ties by rods, ropes and springs, from a thing to a thing or to a place", "[view]") {
+  Bench bench(1);
+  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
+  bench.world.settings.gravity = zero3();
+  bench.choose(ToolKind::make, 2);
+  bench.drag(bench.seen(vec(-2, 1, 0)), bench.seen(vec(-1, 2, 0)));
+  bench.choose(ToolKind::make, 2);
+  bench.drag(bench.seen(vec(1, 1, 0)), bench.seen(vec(2, 2, 0)));
+  const Projected left = bench.seen(vec(-1.5, 1.5, 0)), right = bench.seen(vec(1.5, 1.5, 0));
+  const Projected above = bench.seen(vec(-1.5, 3.2, 0));
+  const std::size_t before = bench.world.constraints.size();
+  bench.choose(ToolKind::join, 1);
+  bench.drag(left, right);
+  CHECK_THAT(bench.said.back(), Contains("tied by a rod"));
+  CHECK(bench.world.constraints.size() == before + 1);
+  bench.choose(ToolKind::join, 2);
+  bench.drag(left, above);
+  CHECK(bench.world.constraints.size() == before + 2);
+  bench.choose(ToolKind::join, 3);
+  bench.drag(right, above);
+  CHECK(bench.world.connections.size() == 1);
+  bench.drag({5, 5}, right);
+  CHECK_THAT(bench.said.back(), Contains("begin at a thing"));
+  bench.drag(left, {left.x + 2, left.y});
+  CHECK_THAT(bench.said.back(), Contains("let go at another"));
+  CHECK(bench.last_log().empty());
+  for (int i = 0; i < 240; i++) step(bench.world);
+  CHECK(bench.world.failure.empty());
 }
 
 TEST_CASE("heat shakes what is under it and cool brings it to rest", "[view]") {

@@ -15,12 +15,6 @@ namespace {
 constexpr double most_heights = 1e7;
 const Vec3 up = vec(0, 1, 0);
 
-/// Turns the third axis, which shapes of the engine are about, to a direction of length 1.
-Quat turn_to(Vec3 d) {
-  if (d[2] < -0.999999) return {0.0, 1.0, 0.0, 0.0};
-  return normalised({1.0 + d[2], -d[1], d[0], 0.0});
-}
-
 /// Says which option is wrong in what the engine refuses.
 template <class Make>
 auto checked(const Options& o, const char* name, const Make& make) {

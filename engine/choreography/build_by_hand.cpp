@@ -1,0 +1,261 @@
+#include "choreography/build_by_hand.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "choreography/hands.hpp"
+#include "edit/assemble.hpp"
+#include "edit/common.hpp"
+#include "edit/constrain.hpp"
+#include "laws/library.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "measure/reach.hpp"
+#include "shapes/hull.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+/// Points that a command adds to bodies; they go again unless it is done.
+class Anchors {
+ public:
+  explicit Anchors(World& world) : world_(world) {}
+  ~Anchors() {
+    if (done_) return;
+    for (const PointId point : made_) remove_point(world_, point);
+  }
+  Anchors(const Anchors&) = delete;
+  Anchors& operator=(const Anchors&) = delete;
+  void keep() { done_ = true; }
+
+  /// The point, or one at a position [m] on a body; null where neither is meant.
+  PointId at(PointId point, const AnyId& thing, Vec3 position) {
+    if (world_.points.alive(point)) return point;
+    const auto* body = std::get_if<BodyId>(&thing);
+    if (!body || !world_.bodies.alive(*body)) return {};
+    PointDef def;
+    def.at = rotate(conjugate(orientation(world_, *body)), position - origin(world_, *body));
+    made_.push_back(add_point(world_, *body, def));
+    return made_.back();
+  }
+
+ private:
+  World& world_;
+  std::vector<PointId> made_;
+  bool done_ = false;
+};
+
+Color color_of_next(const World& world) {
+  static constexpr std::array<Color, 6> colors = {{{0.89f, 0.35f, 0.25f, 1.0f},
+                                                   {0.95f, 0.70f, 0.36f, 1.0f},
+                                                   {0.18f, 0.47f, 0.72f, 1.0f},
+                                                   {0.47f, 0.65f, 0.32f, 1.0f},
+                                                   {0.55f, 0.44f, 0.71f, 1.0f},
+                                                   {0.24f, 0.62f, 0.63f, 1.0f}}};
+  return colors[world.bodies.size() % colors.size()];
+}
+
+std::vector<Vec3> with_ends(const World& world, const Command& c) {
+  std::vector<Vec3> points = c.points;
+  if (points.size() < 2) return points;
+  if (world.points.alive(c.point)) points.front() = position(world, c.point) - c.position;
+  if (world.points.alive(c.other)) points.back() = position(world, c.other) - c.position;
+  return points;
+}
+
+void add_points(BodyDef& def, const Command& c, std::span<const Vec3> points) {
+  for (const Vec3 at : points) {
+    PointDef& point = def.points.emplace_back();
+    point.at = at;
+    point.radius = c.radius;
+    point.mass = c.mass / static_cast<double>(points.size());
+  }
+}
+
+/// What touches has its mass by its shape; its points are anchors.
+void add_shape(const World& world, BodyDef& def, const Command& c, std::span<const Vec3> points) {
+  ShapeDef& shape = def.shapes.emplace_back();
+  def.color = color_of_next(world);
+  def.mass = c.mass;
+  const auto add_anchor = [&](Vec3 at) { def.points.emplace_back().at = at; };
+  switch (c.form) {
+    case MadeForm::bare: break;
+    case MadeForm::rod: {
+      require(points.size() == 2, "make: a rod has two points");
+      const Vec3 way = points[1] - points[0];
+      shape.geometry = CapsuleShape{c.radius, 0.5 * norm(way)};
+      shape.at = 0.5 * (points[0] + points[1]);
+      shape.orientation = turn_to(norm2(way) > 0.0 ? direction(way) : vec(0, 0, 1));
+      for (const Vec3 at : points) add_anchor(at);
+      break;
+    }
+    case MadeForm::ball:
+      shape.geometry = BallShape{c.radius};
+      add_anchor(zero3());
+      break;
+    case MadeForm::box: shape.geometry = BoxShape{c.amount}; break;
+    case MadeForm::wheel: {
+      const double half = norm(c.amount);
+      require(half > 0.0, "make: a wheel has an axle");
+      shape.geometry = CylinderShape{c.radius, half};
+      shape.orientation = turn_to(c.amount / half);
+      add_anchor(zero3());
+      break;
+    }
+    case MadeForm::hull: shape.geometry = make_hull(points); break;
+  }
+}
+
+/// Hinges an end to the point there; a wheel turns about its axle, where that has a body.
+void hinge_end(World& world, const Command& c, PointId end, PointId to) {
+  if (!to) return;
+  HingeDef def;
+  if (c.form == MadeForm::wheel && !world.plane.flat() && world.points[to].body) def.axis = c.amount;
+  const std::array ring = {to, end};
+  add_hinge(world, ring, def);
+}
+
+/// [kg] Of what a point is of.
+double mass_of(const World& world, PointId point) {
+  const BodyId body = world.points[point].body;
+  return body ? world.motion_of(body).mass : world.points[point].mass;
+}
+
+void tie_by_spring(World& world, PointId a, PointId b, Vec3 place) {
+  constexpr double frequency = 3.0, damping = 0.1;  // [1/s]; of the critical one
+  const double mass = b ? 1.0 / (1.0 / mass_of(world, a) + 1.0 / mass_of(world, b)) : mass_of(world, a);
+  const double rate = 2.0 * std::numbers::pi * frequency;
+  LawArguments arguments;
+  const Vec3 to = b ? position(world, b) : place;
+  arguments.numbers = {{"stiffness", mass * rate * rate},
+                       {"damping", 2.0 * damping * mass * rate},
+                       {"length", norm(to - position(world, a))}};
+  std::vector<Law> laws = make_library_law("spring", arguments);
+  auto law = std::make_shared<Law>(std::move(laws[0]));
+  if (laws.size() > 1) law->also = std::make_shared<const Law>(std::move(laws[1]));
+  ConnectionDef def;
+  def.ends = {End{world.points[a].particle}, b ? End{world.points[b].particle} : End{ParticleId{}, place}};
+  add_connection(world, law, def);
+}
+
+/// What it may turn against: the other body of its hinges; null: the world, where it is nailed.
+BodyId held_by(const World& world, BodyId body) {
+  BodyId found;
+  bool nailed = false;
+  for (const ParticleId hinge : hinges_of(world, body))
+    for (const PointId point : world.particles[hinge].points)
+      if (const BodyId other = world.points[point].body; other && other != body) found = other;
+  for (const PointId point : world.bodies[body].points)
+    for (const ConstraintId id : world.points[point].constraints)
+      nailed = nailed || world.constraints[id].kind == ConstraintKind::nail;
+  require(found || nailed, "motor: ", describe(world, body),
+          " is hinged to nothing; a wheel is, where it is made on a body");
+  return found;
+}
+
+}  // namespace
+
+BodyId body_meant(const Command& c) {
+  const auto* body = std::get_if<BodyId>(&c.thing);
+  return body && !c.point ? *body : BodyId{};
+}
+
+PointId point_meant(World& world, const Command& c, std::string name) {
+  const BodyId body = body_meant(c);
+  if (!body) return c.point;
+  require_finite(name_of(c.kind), "position", c.position, "m");
+  PointDef def;
+  def.at = rotate(conjugate(orientation(world, body)), c.position - origin(world, body));
+  def.name = std::move(name);
+  return add_point(world, body, def);
+}
+
+void make_by_hand(World& world, const Command& c) {
+  require(!c.points.empty(), "make: no points were given");
+  require_finite("make", "position", c.position, "m");
+  if (c.points.size() == 1 && c.form == MadeForm::bare) {
+    ParticleDef def;
+    def.at = c.position + c.points[0];
+    def.mass = c.mass;
+    def.radius = c.radius;
+    add_particle(world, def);
+    return;
+  }
+  const std::vector<Vec3> points = with_ends(world, c);
+  BodyDef def;
+  def.at = c.position;
+  if (c.form == MadeForm::bare)
+    add_points(def, c, points);
+  else
+    add_shape(world, def, c, points);
+  const BodyId body = add_body(world, def);
+  try {
+    Anchors anchors(world);
+    const std::vector<PointId> ends = world.bodies[body].points;
+    if (!ends.empty()) hinge_end(world, c, ends.front(), anchors.at(c.point, c.thing, c.position));
+    if (ends.size() > 1)
+      hinge_end(world, c, ends.back(), anchors.at(c.other, c.other_thing, c.position + points.back()));
+    anchors.keep();
+  } catch (const Error&) {
+    remove(world, body);
+    throw;
+  }
+}
+
+void join_by_hand(World& world, const Command& c) {
+  Anchors anchors(world);
+  const Vec3 there = c.points.empty() ? zero3() : c.points[0];
+  const PointId a = anchors.at(c.point, c.thing, c.position), b = anchors.at(c.other, c.other_thing, there);
+  if (!a) throw Error(text("join: ", world.points.story(c.point)));
+  if (!b) throw Error(text("join: ", world.points.story(c.other)));
+  JoinDef def;
+  def.max_force = c.max_force == 0.0 ? std::fmax(usual_grab_force(world, a), usual_grab_force(world, b)) : c.max_force;
+  def.time_constant = 0.1;
+  add_join(world, a, b, def);
+  anchors.keep();
+}
+
+void tie_by_hand(World& world, const Command& c) {
+  require(c.points.size() == 1, "tie: one place of the other end is given");
+  require_finite("tie", "position", c.position, "m");
+  require_finite("tie", "position", c.points[0], "m");
+  Anchors anchors(world);
+  const PointId a = anchors.at(c.point, c.thing, c.position);
+  require(static_cast<bool>(a), "tie: what it begins at is gone");
+  const PointId b = anchors.at(c.other, c.other_thing, c.points[0]);
+  require(a != b, "tie: both ends are one");
+  if (c.name == "rod") {
+    b ? add_rod(world, a, b) : add_rod(world, a, c.points[0]);
+  } else if (c.name == "rope") {
+    add_string(world, {Passage{a}, b ? Passage{b} : Passage{PointId{}, c.points[0]}});
+  } else {
+    require(c.name == "spring", "tie: there is no '", c.name, "'");
+    tie_by_spring(world, a, b, c.points[0]);
+  }
+  anchors.keep();
+}
+
+void drive_by_hand(World& world, const Command& c) {
+  require_finite("motor", "speed", c.amount, "rad/s");
+  const BodyId body = body_meant(c) ? body_meant(c) : world.points[c.point].body;
+  require(static_cast<bool>(body), "motor: ", describe(world, c.point), " is a free particle, which cannot turn");
+  const Vec3 speed = world.plane.about(c.amount);
+  const BodyId against = held_by(world, body);
+  for (const ConstraintId id : world.constraints.ids())
+    if (world.constraints[id].kind == ConstraintKind::motor && world.constraints[id].body_a == body) remove(world, id);
+  if (norm2(speed) == 0.0) return;
+  const Things tied = tied_to(world, world.bodies[body].points[0], false);
+  const Bounds of = bounds(world, tied);
+  const double reach = 0.5 * norm(of.high - of.low);
+  MotorDef def;
+  def.axis = speed;
+  def.speed = norm(speed);
+  def.max_torque = mass(world, tied) * reach * (norm(world.settings.gravity) + 5.0 * norm(speed) * reach);
+  add_motor(world, body, against, def);
+}
+
+}  // namespace pantin

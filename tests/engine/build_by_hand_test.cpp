@@ -1,0 +1,114 @@
+#include "choreography/build_by_hand.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "choreography/commands.hpp"
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
+
+using namespace pantin;
+using Catch::Contains;
+using Kind = Command::Kind;
+
+namespace {
+
+Command making(MadeForm form, Vec3 at, std::vector<Vec3> points = {zero3()}) {
+  Command c;
+  c.kind = Kind::make;
+  c.form = form;
+  c.position = at;
+  c.points = std::move(points);
+  c.radius = 0.5;
+  c.amount = form == MadeForm::wheel ? vec(0, 0, 0.1) : vec(0.5, 0.5, 0.5);
+  return c;
+}
+
+BodyId make(World& world, const Command& c) {
+  make_by_hand(world, c);
+  return world.bodies.ids().back();
+}
+
+std::size_t points_of(const World& world, BodyId body) { return world.bodies[body].points.size(); }
+
+}  // namespace
+
+TEST_CASE("build by hand: what is made has the mass of its shape by the usual density") {
+  World world;
+  const double density = Material{}.density;
+  CHECK(world.motion_of(make(world, making(MadeForm::box, zero3()))).mass == Approx(density));
+  CHECK(world.motion_of(make(world, making(MadeForm::ball, vec(3, 0, 0)))).mass == Approx(density * M_PI / 6.0));
+  CHECK(world.motion_of(make(world, making(MadeForm::wheel, vec(6, 0, 0)))).mass == Approx(density * M_PI * 0.05));
+}
+
+TEST_CASE("build by hand: a rod is hinged to the places on bodies that its ends are at") {
+  World world;
+  const BodyId left = make(world, making(MadeForm::box, zero3())),
+               right = make(world, making(MadeForm::box, vec(4, 0, 0)));
+  Command c = making(MadeForm::rod, vec(0.2, 0.1, 0), {zero3(), vec(3.6, 0, 0)});
+  c.thing = left;
+  c.other_thing = right;
+  const BodyId rod = make(world, c);
+  REQUIRE(hinges_of(world, rod).size() == 2);
+  CHECK(norm(position(world, world.bodies[left].points[0]) - vec(0.2, 0.1, 0)) < 1e-15);
+  CHECK(norm(position(world, world.bodies[right].points[0]) - vec(3.8, 0.1, 0)) < 1e-15);
+}
+
+TEST_CASE("build by hand: what is refused leaves nothing behind") {
+  World world;
+  const BodyId box = make(world, making(MadeForm::box, zero3()));
+  CHECK_THROWS_WITH(
+      make_by_hand(world, making(MadeForm::hull, vec(3, 0, 0), {zero3(), vec(1, 0, 0), vec(0, 1, 0), vec(1, 1, 0)})),
+      Contains("plane"));
+  CHECK(world.bodies.size() == 1);
+  Command tie;
+  tie.kind = Kind::tie;
+  tie.name = "rod";
+  tie.thing = tie.other_thing = box;
+  tie.points = {vec(0.2, 0, 0)};
+  CHECK_THROWS_AS(tie_by_hand(world, tie), Error);
+  CHECK(points_of(world, box) == 0);
+  tie.name = "chain";
+  tie.other_thing = {};
+  CHECK_THROWS_WITH(tie_by_hand(world, tie), Contains("there is no 'chain'"));
+  CHECK(points_of(world, box) == 0);
+}
+
+TEST_CASE("build by hand: a spring swings what it holds three times a second about where gravity lets it hang") {
+  World world;
+  const BodyId box = make(world, making(MadeForm::box, zero3()));
+  Command tie;
+  tie.kind = Kind::tie;
+  tie.name = "spring";
+  tie.thing = box;
+  tie.points = {vec(0, 2, 0)};
+  tie_by_hand(world, tie);
+  for (int i = 0; i < 2400; i++) step(world);
+  const double rate = 6.0 * M_PI;
+  CHECK(world.motion_of(box).x[1] == Approx(-9.81 / (rate * rate)).epsilon(1e-3));
+}
+
+TEST_CASE("build by hand: a motor turns a wheel against what it is hinged to, and nothing that is free") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId box = make(world, making(MadeForm::box, zero3()));
+  Command c = making(MadeForm::wheel, vec(0.4, 0, 0));
+  c.thing = box;
+  const BodyId wheel = make(world, c), free = make(world, making(MadeForm::wheel, vec(9, 0, 0)));
+  Command drive;
+  drive.kind = Kind::drive;
+  drive.amount = vec(0, 0, 3);
+  drive.thing = free;
+  CHECK_THROWS_WITH(drive_by_hand(world, drive), Contains("is hinged to nothing"));
+  drive.thing = wheel;
+  drive_by_hand(world, drive);
+  drive_by_hand(world, drive);
+  for (int i = 0; i < 480; i++) step(world);
+  const auto spin = [&](BodyId body) { return angular_velocity(world.motion_of(body))[2]; };
+  CHECK(spin(wheel) - spin(box) == Approx(3.0).epsilon(1e-6));
+  drive.amount = zero3();
+  const std::size_t ties = world.constraints.size();
+  drive_by_hand(world, drive);
+  CHECK(world.constraints.size() == ties - 1);
+}
