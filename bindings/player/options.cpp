@@ -138,8 +138,6 @@ void add_state(CLI::App& app, RunOptions& scene) {
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
   if (run.from.empty() && run.scene.empty()) throw UsageError("a scene is missing (pantin run --help tells more)");
-  if (!run.from.empty() && !run.set.empty())
-    throw UsageError("--set cannot change a saved state: its parameters are those that it was saved with");
   if (!run.save_to.empty() && !run.save_at) throw UsageError("--save-to needs --save-at, the time to save at");
   if (run.save_at && run.save_to.empty())
     run.save_to = std::filesystem::path(run.from.empty() ? run.scene : run.from).stem().string() + state_ending;

@@ -1,6 +1,7 @@
 #include "player/run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -84,22 +85,23 @@ class Frames {
 /// Saves the state once its time has come.
 class SavesAt {
  public:
-  SavesAt(std::optional<double> time, Scene& scene, Outputs& outputs) : time_(time), scene_(scene), outputs_(outputs) {
+  SavesAt(std::optional<double> time, Scene& scene, Outputs& outputs)
+      : time_(time.value_or(infinity)), scene_(scene), outputs_(outputs) {
     look();
   }
   void look() {
     const World& world = scene_.world();
-    if (!time_ || world.time < *time_ - 0.5 * world.settings.step) return;
+    if (world.time < time_ - 0.5 * world.settings.step) return;
     outputs_.write_state(scene_);
-    time_.reset();
+    time_ = infinity;
   }
   void check() const {
-    require(!time_, "the run ended at ", scene_.world().time, " s, before the state was to be saved at ",
-            time_.value_or(0.0), " s");
+    require(std::isinf(time_), "the run ended at ", scene_.world().time,
+            " s, before the state was to be saved at ", time_, " s");
   }
 
  private:
-  std::optional<double> time_;  ///< [s] still to come
+  double time_;  ///< [s] infinite: none is to be saved any more
   Scene& scene_;
   Outputs& outputs_;
 };

@@ -21,6 +21,8 @@ void write_whole(const std::string& file, const std::string& state) {
 }  // namespace
 
 std::unique_ptr<Scene> open_saved(const std::string& file, const std::string& scene, const SceneOptions& options) {
+  if (!options.set.empty())
+    throw UsageError("--set cannot change a saved state: its parameters are those that it was saved with");
   const auto bytes = file_content(file);
   if (!bytes) throw UsageError(text(file, ": there is no such file"));
   std::unique_ptr<Scene> opened = lua::open_state(*bytes, file, options);

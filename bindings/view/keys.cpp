@@ -58,6 +58,8 @@ std::vector<WindowKeys> make_table() {
       {"Window", Use::panels, {"tab"}, "tab", "hide the panels, show them", 0, play},
       {"Window", Use::picture, {"s"}, "s", "take a picture", 0, play},
       {"Window", Use::film, {"F9"}, "F9", "film what is seen, until it is pressed again", 0, play},
+      {"Window", Use::save_state, {"ctrl+s"}, "ctrl + s", "save the state into a file, for `pantin play FILE`", 0, play},
+      {"Window", Use::open_state, {"ctrl+o"}, "ctrl + o", "open the state that was saved last", 0, play},
       {"Window", Use::help, {"h"}, "h", "show or hide the keys"},
       {"Window", Use::leave, {"escape", "q"}, "Esc, q", "back to the browser of scenes, or quit", 0, play},
       {"Window", Use::leave, {"escape", "q"}, "Esc, q", "quit, in a recording", 0, replay},

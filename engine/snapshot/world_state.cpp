@@ -2,6 +2,7 @@
 
 #include "base/hash.hpp"
 #include "contacts/find.hpp"
+#include "contacts/gather.hpp"
 #include "forces/solved.hpp"
 #include "snapshot/state_fields.hpp"
 
@@ -28,12 +29,21 @@ void visit_forces(A& a, World& world) {
   visit(a, *world.forces);
 }
 
+/// What stages of touch keep from one to the other is for the present step alone; but it is there.
+template <class A>
+void visit_touch(A& a, World& world) {
+  bool has = world.touch_space != nullptr;
+  visit(a, has);
+  if constexpr (A::reads) world.touch_space = has ? std::make_unique<TouchSpace>() : nullptr;
+}
+
 template <class A>
 void visit_all_of(A& a, World& world) {
   a.world = &world;
   visit(a, static_cast<WorldData&>(world));
   visit_articulates(a, world);
   visit_forces(a, world);
+  visit_touch(a, world);
 }
 
 /// Laws of solved connections are told what they read, as when a snapshot is restored.

@@ -131,7 +131,7 @@ HeapWriter::HeapWriter(lua_State* state, Script& script, Writer& to)
   lua_newtable(state);
   lua_rawgetp(state, LUA_REGISTRYINDEX, &permanents_key);
   std::tie(seen_, list_, permanents_) = std::tuple(base_ + 1, base_ + 2, base_ + 3);
-  const std::vector<Chunk>& chunks = script.runtime.chunks;
+  const std::vector<SourceText>& chunks = script.runtime.chunks;
   for (std::uint32_t c = 0; c < chunks.size(); c++) {
     const std::vector<std::string> list = prototypes(state, chunks[c]);
     for (std::uint32_t i = 0; i < list.size(); i++) prototypes_.try_emplace(list[i], c, i);
@@ -366,7 +366,7 @@ HeapReader::HeapReader(lua_State* state, Script& script, Reader& from)
   lua_pop(state, 1);
   lua_pushcfunction(state, behaviour_part());
   lua_setfield(state, permanents_, behaviour_name);
-  for (const Chunk& chunk : script.runtime.chunks) prototypes_.push_back(prototypes(state, chunk));
+  for (const SourceText& chunk : script.runtime.chunks) prototypes_.push_back(prototypes(state, chunk));
 }
 
 std::uint64_t HeapReader::number() {

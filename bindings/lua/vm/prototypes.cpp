@@ -105,7 +105,7 @@ std::string dumped(lua_State* state) {
   return dump;
 }
 
-std::vector<std::string> prototypes(lua_State* state, const Chunk& chunk) {
+std::vector<std::string> prototypes(lua_State* state, const SourceText& chunk) {
   load_text(state, chunk);
   const std::string dump = dumped(state);
   lua_pop(state, 1);

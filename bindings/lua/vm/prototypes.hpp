@@ -8,13 +8,13 @@
 namespace pantin::lua {
 
 /// A text that a script runs, and what messages call it.
-struct Chunk {
+struct SourceText {
   std::string name, source;
 };
 
 /// What `lua_dump` gives for the function at the top of the stack.
 std::string dumped(lua_State* state);
 /// The same of the whole text and of all functions in it, each after that which it is in.
-std::vector<std::string> prototypes(lua_State* state, const Chunk& chunk);
+std::vector<std::string> prototypes(lua_State* state, const SourceText& chunk);
 
 }  // namespace pantin::lua

@@ -128,15 +128,15 @@ void Runtime::fail(lua_State* state, int status) {
   throw ScriptError(message);
 }
 
-void Runtime::load(lua_State* state, const std::string& source, const std::string& name) {
-  require(!source.starts_with('\x1b'), name, ":1: this is compiled code, and a scene is a text");
+void Runtime::load(lua_State* state, const std::string& source, const std::string& named) {
+  require(!source.starts_with('\x1b'), named, ":1: this is compiled code, and a scene is a text");
   speaks_of_reset = speaks_of_reset || source.find("reset") != source.npos;
-  const Chunk chunk{name, source};
+  const SourceText chunk{named, source};
   load_text(state, chunk);
   chunks.push_back(chunk);
 }
 
-void load_text(lua_State* state, const Chunk& chunk) {
+void load_text(lua_State* state, const SourceText& chunk) {
   const std::string& source = chunk.source;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
