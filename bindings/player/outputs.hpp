@@ -28,6 +28,8 @@ class Outputs {
   void write_summary(const Scene& scene, const std::string& failure = "");
   /// The state, where one is to be saved.
   void write_state(Scene& scene);
+  /// It is not to be kept: its time did not come.
+  void drop_state() { state_.clear(); }
   /// A message about temporary files, in the names that they are to have.
   std::string in_own_names(std::string message) const;
   /// Does what writes a temporary file; where that throws Error the file is none of those that are kept.

@@ -94,9 +94,13 @@ class SavesAt {
     if (world.time < time_ - 0.5 * world.settings.step) return;
     outputs_.write_state(scene_);
     time_ = infinity;
+    if (const std::string why = scene_.why_not_restore(); !why.empty())
+      say(text("the state: ", why, " nor kept in a file; opening the file runs the scene again up to ", world.time,
+               " s"));
   }
+  bool waits() const { return std::isfinite(time_); }
   void check() const {
-    require(std::isinf(time_), "the run ended at ", scene_.world().time,
+    require(!waits(), "the run ended at ", scene_.world().time,
             " s, before the state was to be saved at ", time_, " s");
   }
 
@@ -137,6 +141,7 @@ int run(const RunOptions& options, const std::string& home) {
     say(failure);
   }
 
+  if (saves.waits()) outputs.drop_state();
   if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
   frames.finish(outputs);

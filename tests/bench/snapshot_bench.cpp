@@ -1,4 +1,6 @@
 // `pantin bench snapshot`: what it costs to keep the state of a world and to go back to it, as games do that predict inputs.
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,6 +61,13 @@ std::size_t bytes_of(World& world) {
   return to.bytes.size();
 }
 
+/// The memory that a snapshot takes [bytes].
+std::size_t memory_of(const World& world) {
+  const std::size_t before = mallinfo2().uordblks;
+  const Snapshot snapshot = take_snapshot(world);
+  return mallinfo2().uordblks - before;
+}
+
 void measure_world(const char* name, World& world) {
   for (int i = 0; i < warm_steps; i++) step(world);
   std::vector<Snapshot> ring(ring_size);
@@ -72,14 +81,16 @@ void measure_world(const char* name, World& world) {
     std::memcpy(copies[i % ring_size].data(), from[(i + 1) % ring_size].data(), bytes);
     std::memcpy(from[i % ring_size].data(), copies[(i + 1) % ring_size].data(), bytes);
   });
-  std::printf("%-34s %9.3f %9.3f %9.3f %9.3f %9.1f %9.3f\n", name, 1e3 * taken, 1e3 * restored,
-              1e3 * (taken + restored), 1e3 * copied, static_cast<double>(bytes) / 1024.0, 1e3 * stepped);
+  std::printf("%-24s %9.3f %9.3f %9.3f %9.3f %12.1f %12.1f %9.3f\n", name, 1e3 * taken, 1e3 * restored,
+              1e3 * (taken + restored), 1e3 * copied, static_cast<double>(bytes) / 1024.0,
+              static_cast<double>(memory_of(world)) / 1024.0, 1e3 * stepped);
   std::fflush(stdout);
 }
 
 void bench_snapshot(const player::BenchOptions&) {
   std::printf("a ring of %zu states, one thread's processor time, medians of %d [ms]\n", ring_size, rounds);
-  std::printf("%-34s %9s %9s %9s %9s %9s %9s\n", "", "take", "restore", "both", "memcpy", "KiB", "a step");
+  std::printf("%-24s %9s %9s %9s %9s %12s %12s %9s\n", "", "take", "restore", "both", "memcpy", "file [KiB]",
+              "memory [KiB]", "a step");
   {
     World world;
     add_boxes(world, 3.0);

@@ -11,6 +11,7 @@
 #include "lua/scene/scene_type.hpp"
 #include "lua/scene/script_scene.hpp"
 #include "lua/value/tostring.hpp"
+#include "measure/measure.hpp"
 #include "scene/errors.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -208,15 +209,13 @@ void read_kept_files_first(Script& script) {
   };
 }
 
-std::unique_ptr<Scene> scene_from(std::string_view body, const SceneOptions& options) {
-  const Outside outside;
+std::unique_ptr<Scene> scene_with(Reader& from, const SceneOptions& options) {
   auto scene = std::make_unique<ScriptScene>(options);
   Script& script = scene->script();
   script.runtime.run([&](lua_State* state) {
     open_globals(state, script);
     note_permanents(state);
   });
-  Reader from(body);
   visit_sources(from, script);
   read_kept_files_first(script);
   script.runtime.run([&](lua_State* state) { read_all(state, script, from); });
@@ -224,16 +223,62 @@ std::unique_ptr<Scene> scene_from(std::string_view body, const SceneOptions& opt
   return scene;
 }
 
+/// How far a scene had come whose script waits: nobody but the script was at work, so it does the same again.
+struct WayCome {
+  std::uint64_t steps = 0, hash = 0;
+};
+
+std::unique_ptr<Scene> scene_again(Reader& from, const SceneOptions& given) {
+  Script sources(given);
+  visit_sources(from, sources);
+  WayCome way;
+  visit(from, way);
+  read_kept_files_first(sources);
+  SceneOptions options = given;
+  options.set = sources.options.set;
+  options.read = sources.runtime.reader;
+  options.save = [](const std::string&, const std::string&) {};  // it was written the first time
+  const Runtime& runtime = sources.runtime;
+  require(runtime.chunks.size() > 1, "its script is missing");
+  auto scene = open_scene_text(runtime.chunks[1].source, runtime.name, runtime.folder, options);
+  while (scene->world().steps < way.steps) scene->step();
+  require(state_hash(scene->world()) == way.hash, "it did not come to the same state again");
+  script_of(*scene).options.save = given.save;
+  return scene;
+}
+
+std::unique_ptr<Scene> scene_from(std::string_view body, const SceneOptions& options) {
+  const Outside outside;
+  Reader from(body);
+  bool again = false;
+  visit(from, again);
+  return again ? scene_again(from, options) : scene_with(from, options);
+}
+
+/// Whether the script waits in a play: what it keeps there Lua does not tell. Throws Error where it could not do the same
+/// again, as hands may have been at work.
+bool goes_again(const Script& script) {
+  const std::string why = why_not_restore(script.world);
+  if (why.empty()) return false;
+  require(!script.options.changing, "save: ", why.substr(0, why.find("), which")),
+          "), which only a scene that is run without a window can be saved with");
+  return true;
+}
+
 }  // namespace
 
 std::string state_of(Script& script) {
-  const std::string why = why_not_restore(script.world);
-  require(why.empty(), "save: ", why.substr(0, why.find("), which")), why.empty() ? "" : "), which no file can keep");
   require(script.world.failure.empty(), "save: the scene has failed: ", script.world.failure);
   Writer to;
+  bool again = goes_again(script);
+  visit(to, again);
   visit_sources(to, script);
+  WayCome way{script.world.steps, state_hash(script.world)};
   try {
-    script.runtime.run([&](lua_State* state) { write_all(state, script, to); });
+    if (again)
+      visit(to, way);
+    else
+      script.runtime.run([&](lua_State* state) { write_all(state, script, to); });
   } catch (const Interrupted&) { throw; } catch (const Error& error) { throw Error(text("save: ", error.what())); }
   FileHead head{{}, layout_of_state(), to.bytes.size(), 0};
   std::memcpy(head.magic, magic.data(), sizeof head.magic);
