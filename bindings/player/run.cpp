@@ -100,8 +100,8 @@ class SavesAt {
   }
   bool waits() const { return std::isfinite(time_); }
   void check() const {
-    require(!waits(), "the run ended at ", scene_.world().time,
-            " s, before the state was to be saved at ", time_, " s");
+    require(!waits(), "the run ended at ", scene_.world().time, " s, before the state was to be saved at ", time_,
+            " s");
   }
 
  private:

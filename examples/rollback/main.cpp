@@ -68,12 +68,12 @@ class Player {
   std::uint32_t frames_;
   Link& link_;
   Game game_;
-  std::uint32_t now_ = 0;                                 ///< frames played
-  std::uint32_t checked_ = 0;                             ///< of these with all inputs known
-  std::array<std::vector<Input>, 2> inputs_;              ///< (players) (frames) known
+  std::uint32_t now_ = 0;                                ///< frames played
+  std::uint32_t checked_ = 0;                            ///< of these with all inputs known
+  std::array<std::vector<Input>, 2> inputs_;             ///< (players) (frames) known
   std::array<pantin::Snapshot, most_ahead + 1> states_;  ///< ring: before each frame
-  std::vector<std::uint64_t> hashes_;                     ///< after so many frames; final up to `checked_`
-  std::vector<Inputs> played_;                            ///< (frames)
+  std::vector<std::uint64_t> hashes_;                    ///< after so many frames; final up to `checked_`
+  std::vector<Inputs> played_;                           ///< (frames)
   std::uint32_t other_knows_ = 0;
   std::pair<std::uint32_t, std::uint64_t> other_checked_;  ///< frames and hash, to be compared
   bool other_done_ = false;
@@ -161,7 +161,8 @@ void Player::compare(std::uint32_t frames, std::uint64_t hash) const {
 }  // namespace rollback
 
 int main(int argc, char** argv) {
-  if (argc < 4) return std::fprintf(stderr, "usage: %s PLAYER OWN_PORT OTHER_PORT [FRAMES [DELAY [LOSS]]]\n", argv[0]), 2;
+  if (argc < 4)
+    return std::fprintf(stderr, "usage: %s PLAYER OWN_PORT OTHER_PORT [FRAMES [DELAY [LOSS]]]\n", argv[0]), 2;
   const auto number = [&](int i, double usual) { return i < argc ? std::strtod(argv[i], nullptr) : usual; };
   const auto port = [&](int i) { return static_cast<std::uint16_t>(number(i, 0)); };
   try {

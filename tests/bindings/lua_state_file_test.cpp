@@ -114,7 +114,8 @@ TEST_CASE("state_file: functions that were made while the scene ran go on with t
     end))");
 }
 
-TEST_CASE("state_file: what the world holds of the script goes on: targets, rates, lengths, joins, whens, probes, laws") {
+TEST_CASE(
+    "state_file: what the world holds of the script goes on: targets, rates, lengths, joins, whens, probes, laws") {
   check_says_the_same(R"(
     local speed, met, often = 2, 0, 0
     local a = scene:particle { at = vec(0, 0, 0), name = "a" }
@@ -252,7 +253,8 @@ TEST_CASE("state_file: what no file can keep is told with its line") {
     return std::string();
   };
   CHECK(why("scene:play(function(wait) wait(1) end)") ==
-        "save: the scene's script waits (scene.lua:1), which only a scene that is run without a window can be saved with");
+        "save: the scene's script waits (scene.lua:1), which only a scene that is run without a window can be saved "
+        "with");
   CHECK(why("local co = coroutine.create(print)\nscene:on('step', function() return co end)") ==
         "save: 'co' in the function at scene.lua:2 is a thread, which cannot be kept in a file");
   CHECK_THAT(why("kept = { here = scene:snapshot() }"),

@@ -1,8 +1,8 @@
 // Two processes that play one game over UDP, as examples/rollback does, never differ.
+#include <unistd.h>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
-#include <unistd.h>
 
 #include "support/process.hpp"
 #include "support/sources.hpp"
@@ -14,8 +14,8 @@ namespace {
 
 Process::Options player(int number, int port, const std::string& frames) {
   const fs::path program = fs::path(pantin::sources::program()).parent_path() / "pantin_rollback";
-  return {{program.string(), std::to_string(number), std::to_string(port + number), std::to_string(port + 1 - number), frames,
-           "0.03", "0.2"},
+  return {{program.string(), std::to_string(number), std::to_string(port + number), std::to_string(port + 1 - number),
+           frames, "0.03", "0.2"},
           {},
           "",
           -1};

@@ -289,8 +289,7 @@ int scene_probe(lua_State* state) {
           "probe: probes cannot be added while the world steps; add them in an event or a step callback");
   for (const Probe& probe : self.world.probes)
     require(probe.name != name, "probe: there is a probe '", name, "' already");
-  self.world.probes.push_back(
-      {name, CalledProbe{function, name}, {}, self.world.steps});
+  self.world.probes.push_back({name, CalledProbe{function, name}, {}, self.world.steps});
   return 0;
 }
 

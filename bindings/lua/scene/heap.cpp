@@ -212,9 +212,7 @@ void HeapWriter::object(int index, const std::string& what) {
 void HeapWriter::described(int index, const std::string& what) {
   Mark mark = Mark::table;
   switch (lua_type(state_, index)) {
-    case LUA_TTABLE:
-      visit(to_, mark);
-      return number(lua_rawlen(state_, index));
+    case LUA_TTABLE: visit(to_, mark); return number(lua_rawlen(state_, index));
     case LUA_TFUNCTION: return closure(index, what);
     case LUA_TUSERDATA: return userdata(index, what);
     default: break;

@@ -103,12 +103,12 @@ void make_one(HeapReader& heap, Reader& from, Script& script, std::function<Sign
 
 }  // namespace
 
-#define KEEP(Signature, ...)                                                        \
-  void KeptFunctions::keep(Writer& to, const std::function<Signature>& function) {  \
-    keep_one(*to_, to, script_, function, Kinds<__VA_ARGS__>{});                     \
-  }                                                                                 \
-  void KeptFunctions::make(Reader& from, std::function<Signature>& function) {      \
-    make_one(*from_, from, script_, function, Kinds<__VA_ARGS__>{});                 \
+#define KEEP(Signature, ...)                                                       \
+  void KeptFunctions::keep(Writer& to, const std::function<Signature>& function) { \
+    keep_one(*to_, to, script_, function, Kinds<__VA_ARGS__>{});                   \
+  }                                                                                \
+  void KeptFunctions::make(Reader& from, std::function<Signature>& function) {     \
+    make_one(*from_, from, script_, function, Kinds<__VA_ARGS__>{});               \
   }
 KEEP(void(), CalledAction)
 KEEP(void(double), CalledProgress)

@@ -64,7 +64,8 @@ std::vector<Field> show_settings() {
       {"pace", "number", "1", "simulated s per real s (default `1`)",
        [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
        [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
-      {"history", "number", "s", "for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)",
+      {"history", "number", "s",
+       "for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)",
        [](const Self& s) { lua_pushnumber(s.state, s.script.history); },
        [](const Self& s, int i) {
          const double value = check_number(s.state, i, "scene", "history", "s");

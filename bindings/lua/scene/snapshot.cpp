@@ -161,8 +161,9 @@ int scene_rewind(lua_State* state) {
   const auto& ring = self.script.ring;
   require(self.script.history > 0.0, "rewind: no states are kept; say for how long by scene.history, in s");
   const double wanted = self.world.time - seconds + 0.5 * self.world.settings.step;
-  const auto later = std::upper_bound(ring.begin(), ring.end(), wanted,
-                                      [](double time, const auto& state_then) { return time < state_then->world.time(); });
+  const auto later = std::upper_bound(ring.begin(), ring.end(), wanted, [](double time, const auto& state_then) {
+    return time < state_then->world.time();
+  });
   require(later != ring.begin(), "rewind: states are kept from ",
           ring.empty() ? self.world.time : ring.front()->world.time(), " s on, and ", seconds, " s ago is before that");
   return want(self, "rewind", *std::prev(later));

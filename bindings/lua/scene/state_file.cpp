@@ -219,7 +219,8 @@ std::unique_ptr<Scene> scene_with(Reader& from, const SceneOptions& options) {
   visit_sources(from, script);
   read_kept_files_first(script);
   script.runtime.run([&](lua_State* state) { read_all(state, script, from); });
-  if (script.runtime.speaks_of_reset) script.no_start = "it is not in the file of the state that the scene went on from";
+  if (script.runtime.speaks_of_reset)
+    script.no_start = "it is not in the file of the state that the scene went on from";
   return scene;
 }
 
@@ -279,7 +280,9 @@ std::string state_of(Script& script) {
       visit(to, way);
     else
       script.runtime.run([&](lua_State* state) { write_all(state, script, to); });
-  } catch (const Interrupted&) { throw; } catch (const Error& error) { throw Error(text("save: ", error.what())); }
+  } catch (const Interrupted&) { throw; } catch (const Error& error) {
+    throw Error(text("save: ", error.what()));
+  }
   FileHead head{{}, layout_of_state(), to.bytes.size(), 0};
   std::memcpy(head.magic, magic.data(), sizeof head.magic);
   head.hash = hash_of(head, to.bytes);
@@ -310,7 +313,8 @@ std::unique_ptr<Scene> open_state(const std::string& bytes, const std::string& n
   const std::string_view body = std::string_view(bytes).substr(sizeof head);
   check(body.size() >= head.size, "the state is cut off");
   check(body.size() == head.size && head.hash == hash_of(head, body), "the state is damaged: its checksum is wrong");
-  check(head.layout == layout_of_state(), "the state was saved by another version of Pantin, and only that can go on from it");
+  check(head.layout == layout_of_state(),
+        "the state was saved by another version of Pantin, and only that can go on from it");
   try {
     return scene_from(body, options);
   } catch (const Error& error) { throw UsageError(text(name, ": the state cannot be read: ", error.what())); }

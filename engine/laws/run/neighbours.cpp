@@ -146,8 +146,7 @@ NeighbourList::NeighbourList(NeighbourList&&) noexcept = default;
 
 const std::vector<std::uint32_t>& NeighbourList::tiled() const { return work_->tiled; }
 
-void NeighbourList::set_lists(const std::vector<std::uint32_t>& tiled,
-                              const std::vector<std::vector<char>>& of_all) {
+void NeighbourList::set_lists(const std::vector<std::uint32_t>& tiled, const std::vector<std::vector<char>>& of_all) {
   work_->tiled = tiled;
   for (std::size_t phase = 0; phase < phases_.size(); phase++)
     for (std::size_t k = 0; k < phases_[phase].size(); k++) {
