@@ -23,7 +23,7 @@ namespace {
 constexpr int warm_steps = 120, rounds = 201;
 constexpr std::size_t ring_size = 8;
 
-void add_boxes(World& world, double apart) {
+void add_boxes(World& world, double apart, double above) {
   ShapeDef floor;
   floor.geometry = HalfSpaceShape{};
   floor.orientation = {std::sqrt(0.5), -std::sqrt(0.5), 0, 0};
@@ -33,7 +33,7 @@ void add_boxes(World& world, double apart) {
   for (int i = 0; i < 1000; i++) {
     BodyDef body;
     body.shapes = {box};
-    body.at = vec(i % 10 * 1.1, 0.5 + i / 100 * apart, i / 10 % 10 * 1.1);
+    body.at = vec(i % 10 * 1.1, above + 0.5 + i / 100 * apart, i / 10 % 10 * 1.1);
     add_body(world, body);
   }
 }
@@ -93,12 +93,12 @@ void bench_snapshot(const player::BenchOptions&) {
               "memory [KiB]", "a step");
   {
     World world;
-    add_boxes(world, 3.0);
+    add_boxes(world, 3.0, 50.0);
     measure_world("1000 boxes in the air", world);
   }
   {
     World world;
-    add_boxes(world, 1.0);
+    add_boxes(world, 1.0, 0.0);
     measure_world("1000 boxes in towers", world);
   }
   {

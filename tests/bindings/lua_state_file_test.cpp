@@ -125,17 +125,17 @@ TEST_CASE(
     scene:follow(a, function(t) return vec(speed * t, 0, 0) end)
     scene:rod(b, vec(1, 1, 0), function(t) return 1 + 0.1 * math.sin(speed * t) end)
     scene:join(c, d, { on_met = function() met = met + 1 end })
-    local family = scene:family { charge = 1 }
+    local family = scene:family("dust", { attributes = { charge = 1 } })
     scene:emitter { at = vec(0, 3, 0), rate = function(t) return 50 + speed end, family = family, lifetime = 0.3 }
     scene:when(function() return a.position.x > 0.5 end, function() speed = 3 end)
     scene:when({ distance_above = 1.2, of = { a, b } }, function() often = often + 1 end, { again = true })
     scene:probe("x", function() return speed + met end)
-    scene:field(scene, force.point { force = function(p, own, t) return p * -speed end })
+    scene:field(scene, force.point { force = function(p) return p.position * -speed end })
     scene:connect(a, b, force.pair { tension = function(r) return 5 * (r - 1) end })
     scene:hand { path = function(t) return vec(t, speed, 0) end }
     scene:on("step", function()
       scene:result("x", speed + met * 10 + often * 100 + #scene.particles * 1000)
-      if scene.steps and speed == 3 then speed = 4 end
+      if speed == 3 then speed = 4 end
     end))",
                       40, 200);
 }
