@@ -74,16 +74,16 @@ void measure_world(const char* name, World& world) {
   for (Snapshot& snapshot : ring) take_snapshot(world, snapshot);
   const double taken = timed_median([&](std::size_t i) { take_snapshot(world, ring[i % ring_size]); });
   const double restored = timed_median([&](std::size_t i) { restore(world, ring[i % ring_size]); });
-  const double stepped = timed_median([&](std::size_t) { step(world); });
-  const std::size_t bytes = bytes_of(world);
+  const std::size_t bytes = bytes_of(world), memory = memory_of(world);
   std::vector<std::vector<char>> copies(ring_size, std::vector<char>(bytes)), from = copies;
   const double copied = timed_median([&](std::size_t i) {
     std::memcpy(copies[i % ring_size].data(), from[(i + 1) % ring_size].data(), bytes);
     std::memcpy(from[i % ring_size].data(), copies[(i + 1) % ring_size].data(), bytes);
   });
+  const double stepped = timed_median([&](std::size_t) { step(world); });
   std::printf("%-24s %9.3f %9.3f %9.3f %9.3f %12.1f %12.1f %9.3f\n", name, 1e3 * taken, 1e3 * restored,
               1e3 * (taken + restored), 1e3 * copied, static_cast<double>(bytes) / 1024.0,
-              static_cast<double>(memory_of(world)) / 1024.0, 1e3 * stepped);
+              static_cast<double>(memory) / 1024.0, 1e3 * stepped);
   std::fflush(stdout);
 }
 
