@@ -2,6 +2,8 @@
 #include "fields/measures.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "articulates/articulate.hpp"
 #include "fields/make.hpp"
@@ -9,6 +11,7 @@
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
 #include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::fields {
@@ -155,6 +158,13 @@ std::vector<Property> things() {
                      [](const World& w, None) { return w.bodies.ids(); }),
       property<None>("particles", "Particle[]", "", "all particles that are no hinges, and do not sleep in one",
                      [](const World& w, None) { return particles(w); }),
+      property<None>("hash", "string", "",
+                     "16 hexadecimal digits that all positions and velocities make: equal states have equal ones",
+                     [](const World& w, None) {
+                       char digits[17];
+                       std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state_hash(w)));
+                       return std::string(digits);
+                     }),
       property<None>("hinges", "Particle[]", "", "all hinges", [](const World& w, None) { return hinges(w); }),
       property<None>("connections", "Connection[]", "", "all connections, in the order of making",
                      [](const World& w, None) { return w.connections.ids(); }),

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <utility>
 
+#include "player/saved_state.hpp"
 #include "scene/errors.hpp"
 
 namespace pantin::player {
@@ -121,6 +122,27 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->type_name("FILE");
   add_look(app, texts);
 }
+
+/// Of `run`, which may go on from what an earlier one left.
+void add_state(CLI::App& app, RunOptions& scene) {
+  app.add_option("--from", scene.from, "Goes on from a saved state, to the same bits; the scene is in it")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
+  app.add_option("--save-at", scene.save_at, "Saves the state at this simulated time, s")
+      ->check(check_number)
+      ->type_name("T");
+  app.add_option("--save-to", scene.save_to, "File for that [the scene's name.pantin]")->type_name("FILE");
+}
+
+/// What belongs together of that.
+void settle_state(RunOptions& run) {
+  if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
+  if (run.from.empty() && run.scene.empty()) throw UsageError("a scene is missing (pantin run --help tells more)");
+  if (!run.save_to.empty() && !run.save_at) throw UsageError("--save-to needs --save-at, the time to save at");
+  if (run.save_at && run.save_to.empty())
+    run.save_to = std::filesystem::path(run.from.empty() ? run.scene : run.from).stem().string() + state_ending;
+}
+
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
   throw UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
@@ -164,6 +186,7 @@ SceneOptions scene_options(const RunOptions& options, const std::string& home) {
   result.memory_limit = options.memory_limit;
   result.threads = options.threads;
   result.home = home;
+  result.save = save_for_script;
   return result;
 }
 
@@ -185,7 +208,8 @@ Options read_options(int argc, const char* const* argv) {
       ->type_name("FILE");
   add_scene_options(*play, options.run, texts);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
-  run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
+  run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one");
+  add_state(*run, options.run);
   add_scene_options(*run, options.run, texts);
   CLI::App* replay = app.add_subcommand("replay",
                                         "Does again what was recorded, to the bit, and checks that: in a window where "
@@ -241,6 +265,7 @@ Options read_options(int argc, const char* const* argv) {
                     : *test   ? Command::test
                               : Command::bench;
   if (*meta) options.command = Command::meta;
+  if (*run) settle_state(options.run);
   return options;
 }
 

@@ -11,6 +11,8 @@
 
 namespace pantin::player {
 
+inline constexpr const char* state_ending = ".pantin";
+
 struct Size {
   int width = 1280;  ///< [pixels]
   int height = 720;  ///< [pixels]
@@ -23,7 +25,10 @@ struct RunOptions {
   std::map<std::string, std::string> set;
   std::optional<double> until;  ///< [s] >= 0
   std::vector<std::string> outputs;
-  std::string summary;  ///< empty: none
+  std::string summary;            ///< empty: none
+  std::string from;               ///< file of a state that `run` and `play` go on from; empty: none
+  std::optional<double> save_at;  ///< [s] when `run` saves the state
+  std::string save_to;            ///< the file for that
   Size size;
   Views views;                                      ///< that are on at the start
   std::string record;                               ///< file that `play` records to; empty: none

@@ -18,6 +18,7 @@ Outputs::Outputs(const RunOptions& options) {
   };
   for (const std::string& path : options.outputs) add(files_, path);
   if (!options.summary.empty()) add(summary_, options.summary);
+  if (!options.save_to.empty()) add(state_, options.save_to);
 }
 
 std::vector<std::string> Outputs::temporaries(const std::string& ending) const {
@@ -43,6 +44,10 @@ void Outputs::write_summary(const Scene& scene, const std::string& failure) {
   for (Output& file : summary_) complete(file, [&] { file.write(summary(scene, failure)); });
 }
 
+void Outputs::write_state(Scene& scene) {
+  for (Output& file : state_) complete(file, [&] { file.write(scene.state()); });
+}
+
 void Outputs::drop(Output& file, const std::string& why) {
   if (failure_.empty()) failure_ = in_own_names(why);
   file.drop();
@@ -55,11 +60,12 @@ Output& Outputs::of(const std::string& temporary) {
 std::string Outputs::in_own_names(std::string message) const {
   for (const Output& file : files_) message = file.in_own_name(message);
   for (const Output& file : summary_) message = file.in_own_name(message);
+  for (const Output& file : state_) message = file.in_own_name(message);
   return message;
 }
 
 void Outputs::keep() {
-  for (std::vector<Output>* list : {&files_, &summary_})
+  for (std::vector<Output>* list : {&files_, &summary_, &state_})
     for (Output& file : *list) complete(file, [&] { file.keep(); });
   require(failure_.empty(), failure_);
 }

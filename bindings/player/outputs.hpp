@@ -26,6 +26,10 @@ class Outputs {
 
   void write_tables(const Times& times, const World& world);
   void write_summary(const Scene& scene, const std::string& failure = "");
+  /// The state, where one is to be saved.
+  void write_state(Scene& scene);
+  /// It is not to be kept: its time did not come.
+  void drop_state() { state_.clear(); }
   /// A message about temporary files, in the names that they are to have.
   std::string in_own_names(std::string message) const;
   /// Does what writes a temporary file; where that throws Error the file is none of those that are kept.
@@ -49,6 +53,7 @@ class Outputs {
   std::string failure_;  ///< the first
   std::vector<Output> files_;
   std::vector<Output> summary_;  ///< one or none
+  std::vector<Output> state_;    ///< one or none
 };
 
 }  // namespace pantin::player

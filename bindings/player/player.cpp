@@ -52,7 +52,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
   }
   adopt(load(path_, scene_options_));
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
-  if (!options_.record.empty()) record(options_.record);
+  if (!options_.record.empty()) begin_recording();
 }
 
 std::string Player::title() const {

@@ -99,6 +99,7 @@ class Player {
   void log(const std::string& what, bool good);
   void leave_browser();
   void restart();
+  void begin_recording();
   void record(const std::string& path);
   void stop_recording(const std::string& why);
   void reload();
@@ -116,6 +117,8 @@ class Player {
   void fail_step(const std::string& why);
   void fail(const std::string& why);
   void save_picture();
+  void save_state();
+  void open_state();
   void fill(Overlay& overlay) const;
 
   std::string path_;
@@ -154,6 +157,7 @@ class Player {
   Browser browser_;
   std::vector<std::string> swallowed_;  ///< keys that were down when the browser was left, until they go up
   bool from_browser_ = false;           ///< Esc goes back to it
+  std::string saved_;                   ///< file of the state that was saved last
   std::deque<Said> said_;               ///< the latest, oldest first
   Clock::time_point complained_{};      ///< when the last of them that is not good was said
   AnyId chosen_;

@@ -3,6 +3,13 @@
 #include "player/player.hpp"
 
 namespace pantin::player {
+void Player::begin_recording() {
+  if (path_.ends_with(state_ending))
+    complain("what goes on from a state is not recorded");
+  else
+    record(options_.record);
+}
+
 void Player::record(const std::string& path) {
   const auto named = [home = scene_options_.home](const std::string& file) { return path_as_recorded(file, home); };
   RecordingHead head{program_version(), named(path_), scene_options_.set, {}};

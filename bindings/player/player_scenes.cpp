@@ -7,6 +7,7 @@
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
+#include "player/saved_state.hpp"
 #include "scene/interrupt.hpp"
 #include "view/keys.hpp"
 #include "view/pick.hpp"
@@ -114,7 +115,7 @@ bool Player::open(const std::string& path) {
   path_ = path;
   scene_options_ = options;
   adopt(std::move(fresh));
-  if (first && !options_.record.empty()) record(options_.record);
+  if (first && !options_.record.empty()) begin_recording();
   panels_.reset();
   paused_ = false;
   speed_ = 1.0;
@@ -122,6 +123,19 @@ bool Player::open(const std::string& path) {
     if (options_.views.on(view)) views_.set(view, true);
   camera_ = aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
   return true;
+}
+
+void Player::save_state() {
+  try {
+    saved_ = player::save_state(*scene_, "");
+    wrote(saved_);
+  } catch (const std::exception& error) { complain(error.what()); }
+}
+
+void Player::open_state() {
+  if (saved_.empty()) return complain(text("no state was saved yet: ", key_for(KeyUse::save_state), " saves it"));
+  const bool paused = paused_;
+  if (open(saved_)) paused_ = paused;
 }
 
 void Player::open_neighbour(int places) {
@@ -133,6 +147,8 @@ bool Player::set_parameter(const std::string& name, const SceneValue& value) {
   const auto parameter = std::ranges::find(parameters, name, &SceneParameter::name);
   if (parameter == parameters.end()) return false;
   const bool live = parameter->live;
+  if (!live && path_.ends_with(state_ending))
+    return complain(name + " cannot change here: the scene goes on from a state, which has it as it is"), false;
   Rebuilt rebuilt{"change of " + name, name, parameter->value, value};
   if (rebuilt_ && rebuilt_->name == name && undo_.last().empty() && Clock::now() < changed_at_ + one_change)
     rebuilt.before = rebuilt_->before;
@@ -187,6 +203,8 @@ bool Player::take_key(const std::string& name) {
     case KeyUse::own_pace: speed_ = 1.0; break;
     case KeyUse::panel: panels_.toggle(key->which); break;
     case KeyUse::panels: panels_.hide(); break;
+    case KeyUse::save_state: save_state(); break;
+    case KeyUse::open_state: open_state(); break;
     default: return false;
   }
   return true;
@@ -250,6 +268,8 @@ void Player::fulfil(const Wishes& wishes) {
   if (wishes.save_table) write_table();
   if (wishes.picture) save_picture();
   if (wishes.film) toggle_film();
+  if (wishes.save_state) save_state();
+  if (wishes.open_state) open_state();
   if (wishes.restart) restart();
   if (wishes.browse) browser_.show();
   if (wishes.next || wishes.previous) open_neighbour(wishes.next ? 1 : -1);

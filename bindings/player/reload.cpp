@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "lua/scene/open.hpp"
+#include "player/options.hpp"
+#include "player/saved_state.hpp"
 
 namespace pantin::player {
 
@@ -15,7 +17,8 @@ std::unique_ptr<Scene> Reload::open(const std::string& path, SceneOptions option
     watch_.add(file.path);
     if (on_read) on_read(file);
   };
-  std::unique_ptr<Scene> scene = lua::open_scene(path, options);
+  const bool saved = path.ends_with(state_ending);
+  std::unique_ptr<Scene> scene = saved ? open_saved(path, "", options) : lua::open_scene(path, options);
   watch_.keep_only(*read);
   files_ = read;
   return scene;

@@ -1,6 +1,7 @@
 #include "player/run.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "player/outputs.hpp"
 #include "player/pictures.hpp"
 #include "player/progress.hpp"
+#include "player/saved_state.hpp"
 #include "player/trajectory.hpp"
 #include "scene/errors.hpp"
 #include "scene/headway.hpp"
@@ -80,29 +82,66 @@ class Frames {
   std::vector<Trajectory> trajectories_;
 };
 
+/// Saves the state once its time has come.
+class SavesAt {
+ public:
+  SavesAt(std::optional<double> time, Scene& scene, Outputs& outputs)
+      : time_(time.value_or(infinity)), scene_(scene), outputs_(outputs) {
+    look();
+  }
+  void look() {
+    const World& world = scene_.world();
+    if (world.time < time_ - 0.5 * world.settings.step) return;
+    outputs_.write_state(scene_);
+    time_ = infinity;
+    if (const std::string why = scene_.why_not_restore(); !why.empty())
+      say(text("the state: ", why, " nor kept in a file; opening the file runs the scene again up to ", world.time,
+               " s"));
+  }
+  bool waits() const { return std::isfinite(time_); }
+  void check() const {
+    require(!waits(), "the run ended at ", scene_.world().time, " s, before the state was to be saved at ", time_,
+            " s");
+  }
+
+ private:
+  double time_;  ///< [s] infinite: none is to be saved any more
+  Scene& scene_;
+  Outputs& outputs_;
+};
+
+std::unique_ptr<Scene> open(const RunOptions& options, const std::string& path, const std::string& home) {
+  if (options.from.empty()) return lua::open_scene(path, scene_options(options, home));
+  return open_saved(options.from, options.scene, scene_options(options, home));
+}
+
 }  // namespace
 
 int run(const RunOptions& options, const std::string& home) {
-  std::string path = find_scene(options.scene, home);
+  std::string path = options.from.empty() ? find_scene(options.scene, home) : options.from;
   Interrupt interrupt;
   Outputs outputs(options);
   auto start = std::chrono::steady_clock::now();
-  std::unique_ptr<Scene> scene = lua::open_scene(path, scene_options(options, home));
+  std::unique_ptr<Scene> scene = open(options, path, home);
   World& world = scene->world();
   Frames frames(*scene, options, outputs);
   Times times;
+  SavesAt saves(options.save_at, *scene, outputs);
   std::string failure;
   try {
     run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), options.memory_limit, [&] {
       times.add(world);
       frames.add();
+      saves.look();
     });
+    if (!Interrupt::asked()) saves.check();
   } catch (const Error& error) {
     if (world.steps == 0) throw;
     failure = outputs.in_own_names(error.what());
     say(failure);
   }
 
+  if (saves.waits()) outputs.drop_state();
   if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
   frames.finish(outputs);

@@ -28,6 +28,8 @@ struct SceneOptions {
   /// The content of a file, or nothing where there is none; may be empty: from the disk.
   std::function<std::optional<std::string>(const std::string& path)> read;
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
+  /// Writes a state that the script saves under a name; empty: scripts may not. Throws Error.
+  std::function<void(const std::string& name, const std::string& state)> save;
   bool changing = false;                         ///< may be followed by the scene of a changed file, see `go_on_from`
   bool forgiving = false;                        ///< what `set` says that does not fit the file is left out
 };

@@ -39,6 +39,7 @@ class Scene {
   /// One step of the world with the script's callbacks; sets `finished` when the script asked for it.
   virtual void step() = 0;
 
+  virtual const std::string& file() const = 0;  ///< its name, as messages call it
   virtual const std::string& title() const = 0;
   virtual std::optional<double> duration() const = 0;  ///< [s]
   virtual double pace() const = 0;                     ///< simulated s per real s
@@ -63,6 +64,9 @@ class Scene {
   /// parameter that has another value is told its old one by its `on_change` first. Throws Error where `why_not_restore`
   /// says why.
   virtual void restore(const SceneSnapshot& snapshot) = 0;
+  /// The present state with all that the scene is made of, for a file: another process goes on from it to the same bits.
+  /// Between two steps. Throws Error where something in it cannot be kept in a file.
+  virtual std::string state() = 0;
   /// Why nothing can be restored now: a play goes on, which cannot be wound back. Empty where it can.
   std::string why_not_restore() const;
 

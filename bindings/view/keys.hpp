@@ -34,6 +34,8 @@ enum class KeyUse : std::uint8_t {
   panels,
   picture,
   film,
+  save_state,
+  open_state,
   help,
   leave,
   see_all,

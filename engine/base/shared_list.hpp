@@ -55,6 +55,7 @@ class SharedList {
   }
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   using Part = std::array<double, part_size>;
   std::vector<std::shared_ptr<const Part>> whole_;
   std::vector<double> rest_;

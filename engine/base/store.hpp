@@ -45,6 +45,7 @@ class Generations {
   }
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   std::vector<std::uint32_t> last_;  ///< (slots)
 };
 
@@ -127,6 +128,7 @@ class Store {
   std::vector<Id> ids() const;
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   struct Slot {
     bool alive = false;
     std::uint32_t generation = 0;

@@ -128,6 +128,12 @@ void act(World& world, const BondingDef& def) {
 
 }  // namespace
 
+void BondingAtWork::operator()(double) const {
+  for (FamilyId family : def.families)
+    if (!world->families.alive(family)) return;
+  act(*world, def);
+}
+
 EventId add_bonding(World& world, BondingDef def) {
   require(def.families.size() == 1 || def.families.size() == 2, "bonding: it is of one family or two, got ",
           def.families.size());
@@ -144,11 +150,7 @@ EventId add_bonding(World& world, BondingDef def) {
   event.time = world.time;
   event.until = never;
   event.label = def.label;
-  event.progress = [&world, def = std::move(def)](double) {
-    for (FamilyId family : def.families)
-      if (!world.families.alive(family)) return;
-    act(world, def);
-  };
+  event.progress = BondingAtWork{&world, std::move(def)};
   return add_event(world, std::move(event));
 }
 

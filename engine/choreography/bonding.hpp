@@ -24,6 +24,12 @@ struct BondingDef {
   std::function<void(ConnectionId)> on_connection;  ///< called with each that is made
   std::string label;                                ///< "scene.lua:12"
 };
+/// The event of a bonding.
+struct BondingAtWork {
+  World* world = nullptr;
+  BondingDef def;
+  void operator()(double) const;
+};
 /// An over without an end; cancel it to end the bonding.
 EventId add_bonding(World& world, BondingDef def);
 

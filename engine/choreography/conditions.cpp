@@ -64,19 +64,6 @@ double count_of(const World& world, const AnyId& of) {
       std::count_if(members.begin(), members.end(), [&](const AnyId& thing) { return alive(world, thing); }));
 }
 
-std::function<double()> measure_of(const World& world, Quantity quantity, const std::vector<Whereabouts>& of) {
-  const AnyId thing = of.empty() ? AnyId{} : of[0].thing;
-  switch (quantity) {
-    case Quantity::temperature: return [&world, thing] { return temperature_in(world, thing); };
-    case Quantity::energy: return [&world, thing] { return energy_in(world, thing); };
-    case Quantity::force: return [&world, thing] { return load(world, thing); };
-    case Quantity::distance:
-      return [&world, of] { return norm(whereabouts(world, of[0]) - whereabouts(world, of[1])); };
-    case Quantity::count: return [&world, thing] { return count_of(world, thing); };
-  }
-  return {};
-}
-
 /// The mean over the last `length` [s]; NaN until they are full.
 double mean_of(std::deque<std::pair<double, double>>& samples, double now, double length, double value) {
   samples.push_back({now, value});
@@ -91,6 +78,18 @@ double mean_of(std::deque<std::pair<double, double>>& samples, double now, doubl
 
 }  // namespace
 
+double MeasureOf::operator()() const {
+  const AnyId thing = of.empty() ? AnyId{} : of[0].thing;
+  switch (quantity) {
+    case Quantity::temperature: return temperature_in(*world, thing);
+    case Quantity::energy: return energy_in(*world, thing);
+    case Quantity::force: return load(*world, thing);
+    case Quantity::distance: return norm(whereabouts(*world, of[0]) - whereabouts(*world, of[1]));
+    case Quantity::count: break;
+  }
+  return count_of(*world, thing);
+}
+
 Measured measured(const World& world, Quantity quantity, const std::vector<Whereabouts>& of) {
   const bool of_all = of.empty() || (of.size() == 1 && std::holds_alternative<std::monostate>(of[0].thing));
   if (quantity == Quantity::distance)
@@ -104,7 +103,7 @@ Measured measured(const World& world, Quantity quantity, const std::vector<Where
     require(!of_all && (std::holds_alternative<GroupId>(of[0].thing) || std::holds_alternative<FamilyId>(of[0].thing)),
             "when: a count is of a group or a family");
   Measured m;
-  m.measure = measure_of(world, quantity, of);
+  m.measure = MeasureOf{&world, quantity, of};
   for (const Whereabouts& w : of)
     if (!std::holds_alternative<std::monostate>(w.thing)) m.of.push_back(w.thing);
   return m;

@@ -18,6 +18,14 @@ struct Whereabouts {
   Vec3 position = zero3();
 };
 
+/// Measures a quantity of a world.
+struct MeasureOf {
+  const World* world = nullptr;
+  Quantity quantity = Quantity::energy;
+  std::vector<Whereabouts> of;
+  double operator()() const;
+};
+
 /// What measures a quantity of `of`: none for the whole scene, two for a distance, else one. Throws Error where that
 /// cannot be measured.
 Measured measured(const World& world, Quantity quantity, const std::vector<Whereabouts>& of);

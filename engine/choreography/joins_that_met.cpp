@@ -62,7 +62,7 @@ void tell_met(World& world, ParticleId hinge, const JoinProgress& progress) {
   event.time = world.time;
   event.target = hinge;
   event.label = progress.label;
-  event.action = [hinge, on_met = progress.on_met] { on_met(hinge); };
+  event.action = TellMet{hinge, progress.on_met};
   add_event(world, std::move(event));
 }
 

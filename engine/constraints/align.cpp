@@ -26,7 +26,11 @@ Vec3 align_gap(const Row& row, const Condition& c) {
   return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.kept_value - c.accepted);
 }
 
+}  // namespace
+
 const RowRule align_row = {.evaluate = evaluate_align, .project = project_align, .gap = align_gap};
+
+namespace {
 
 double value(const Model& model, const Constraint& c) {
   return angle_between(direction_of(model, c.body_a, c.axis_a), direction_of(model, c.body_b, c.axis_b));

@@ -20,12 +20,16 @@ void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
 
+}  // namespace
+
 const RowRule attract_row = {.at_distance = true,
                              .keeps_separation = true,
                              .offsets_gap = true,
                              .evaluate = evaluate_attract,
                              .project = project_attract,
                              .gap = attract_gap};
+
+namespace {
 
 void check(const Model& model, Constraint& c) {
   const Point &first = model.points[c.a], &second = model.points[c.b];

@@ -68,6 +68,8 @@ Vec3 path_gap(const Row& row, const Condition& c) {
   return row.d1 - c.path->position(c.path->nearest(row.d1, c.angle1)) - row.offset;
 }
 
+}  // namespace
+
 const RowRule path_row = {.held_at_end = true,
                           .guides = true,
                           .offsets_gap = true,
@@ -75,6 +77,8 @@ const RowRule path_row = {.held_at_end = true,
                           .project = project_path,
                           .gap = path_gap,
                           .stop = stop_of_path};
+
+namespace {
 
 const Path& path_of(const Constraint& c) { return *c.as<PathData>().path; }
 

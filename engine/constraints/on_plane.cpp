@@ -17,7 +17,11 @@ void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
 
+}  // namespace
+
 const RowRule plane_row = {.guides = true, .evaluate = evaluate_plane, .project = project_plane, .gap = plane_gap};
+
+namespace {
 
 void check(const Model&, Constraint& c) {
   internal::require_finite("on_plane", "through", c.position.now, "m");

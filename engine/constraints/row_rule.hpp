@@ -63,6 +63,10 @@ extern const RowRule axis_row;     ///< keeps two axes together
 extern const RowRule turn_row;     ///< drives the angle about an axis, or keeps it in a range
 extern const RowRule coupled_row;  ///< a segment of a string, a turn of a gear
 extern const RowRule stiff_row;    ///< pulls by a law
+extern const RowRule plane_row;    ///< keeps a point on a plane
+extern const RowRule path_row;     ///< keeps a point on a path
+extern const RowRule align_row;    ///< keeps an angle between two axes
+extern const RowRule attract_row;  ///< draws two points together
 
 /// Whether d1 is to be `offset`, in all directions: M and `kept` are 1 and C is 0, so that products leave them out.
 inline bool is_rigid(const Row& row) { return row.rule == &rigid_row; }

@@ -19,6 +19,12 @@ namespace pantin {
 /// a lives on with the points and the own mass of b, which is gone; points, hinges and constraints stay, but for those
 /// between the two. A name that a has already is taken from b's point.
 void merge(World& world, BodyId a, BodyId b);
+/// What an orientation by a function of time is to be once its body has become part of another, whose frame is turned.
+struct TurnedAttitude {
+  std::function<Quat(double)> wanted;
+  Quat turn;
+  Quat operator()(double time) const { return wanted(time) * conjugate(turn); }
+};
 /// Some of a body's points, not all, become a body of their own, which moves as they did. A shape goes with the points that
 /// are in it, else with the nearest; one with points of both parts in it is an error. Both must have mass enough to be
 /// bodies: own mass goes with the shapes if it is theirs, each filled evenly, and else stays where it is.

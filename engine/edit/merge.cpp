@@ -67,8 +67,7 @@ void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& f
     if (c.is<WeldData>()) c.as<WeldData>().arm_a = frame.place(c.as<WeldData>().arm_a);
     c.turn.now = normalised(c.turn.now * conjugate(frame.turn));
     c.turn.previous = normalised(c.turn.previous * conjugate(frame.turn));
-    if (const auto wanted = c.turn.of_time)
-      c.turn.of_time = [wanted, turn = frame.turn](double time) { return wanted(time) * conjugate(turn); };
+    if (const auto wanted = c.turn.of_time) c.turn.of_time = TurnedAttitude{wanted, frame.turn};
   } else if (c.body_b == b) {
     c.body_b = a;
     c.axis_b = rotate(frame.turn, c.axis_b);

@@ -129,6 +129,7 @@ class Expressions {
   double evaluate(Expr e, std::span<const double> inputs) const;
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   using Powers = std::map<Expr, double>;
   using Key = std::tuple<int, int, double, std::uint32_t, Terms>;
 

@@ -166,15 +166,19 @@ const LibraryLaw* find_library_law(std::string_view name) {
   return found == library().end() ? nullptr : &*found;
 }
 
+std::shared_ptr<Law> RemadeLaw::operator()(std::span<const double> values) const {
+  LawArguments present = arguments;
+  for (std::size_t i = 0; i < parameters.size(); i++) present.numbers[parameters[i]] = values[i];
+  return std::make_shared<Law>(make_library_law(name, present).front());
+}
+
 namespace {
 
 /// A cutoff that was not given comes of parameters, and follows them.
 void follow_parameters(const LibraryLaw& library_law, const LawArguments& arguments, Law& law) {
-  law.remade = [&library_law, arguments, names = law.parameters](std::span<const double> values) {
-    LawArguments present = arguments;
-    for (std::size_t i = 0; i < names.size(); i++) present.numbers[names[i].name] = values[i];
-    return std::make_shared<Law>(make_library_law(library_law.name, present).front());
-  };
+  RemadeLaw remade{library_law.name, arguments, {}};
+  for (const Parameter& parameter : law.parameters) remade.parameters.push_back(parameter.name);
+  law.remade = std::move(remade);
 }
 
 }  // namespace

@@ -65,6 +65,14 @@ void check_law_arguments(const LibraryLaw& law, const LawArguments& arguments);
 /// Error for what is missing, unknown or out of range, with its name and unit.
 std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments);
 
+/// Makes a law anew for other values of its parameters, from which its cutoff comes.
+struct RemadeLaw {
+  std::string name;
+  LawArguments arguments;
+  std::vector<std::string> parameters;
+  std::shared_ptr<Law> operator()(std::span<const double> values) const;
+};
+
 /// The value of a parameter that is the present one: distance [m] of two positions, angle [rad] at the second of three,
 /// torsion [rad] of four.
 double present_value(std::span<const Vec3> positions);

@@ -19,6 +19,9 @@ class Spline {
   double evaluate(double x, int order = 0) const;
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
+  Spline() = default;
+
   std::vector<double> x_;
   std::vector<std::array<double, 4>> pieces_;  ///< value, derivative, half the second, sixth of the third at x_[i]
   std::vector<std::uint32_t> start_;           ///< a piece at or below the start of each of as many equal bins

@@ -46,14 +46,19 @@ double Snapshot::time() const { return held_->data.time; }
 std::uint64_t Snapshot::steps() const { return held_->data.steps; }
 
 Snapshot take_snapshot(const World& world) {
-  auto held = std::make_shared<Snapshot::Held>();
-  held->data = world;
-  held->articulates.reserve(world.articulates.size());
-  for (const auto& articulate : world.articulates) held->articulates.push_back(*articulate);
-  if (world.forces) held->forces.emplace(*world.forces);
   Snapshot snapshot;
-  snapshot.held_ = std::move(held);
+  take_snapshot(world, snapshot);
   return snapshot;
+}
+
+void take_snapshot(const World& world, Snapshot& into) {
+  if (!into.held_ || into.held_.use_count() > 1) into.held_ = std::make_shared<Snapshot::Held>();
+  Snapshot::Held& held = *into.held_;
+  held.data = world;
+  held.articulates.resize(world.articulates.size());
+  for (std::size_t i = 0; i < held.articulates.size(); i++) held.articulates[i] = *world.articulates[i];
+  held.forces.reset();
+  if (world.forces) held.forces.emplace(*world.forces);
 }
 
 bool can_restore(const World& world) { return !play_in(world); }
@@ -78,9 +83,12 @@ void restore(World& world, const Snapshot& snapshot) {
   tell_events(world.choreography.events, held.data.choreography.events);
   static_cast<WorldData&>(world) = held.data;
   world.contact_finder.reset();  // it knows who is tied
-  world.articulates.clear();
-  for (const Articulate& articulate : held.articulates)
-    world.articulates.push_back(std::make_unique<Articulate>(articulate));
+  world.articulates.resize(held.articulates.size());
+  for (std::size_t i = 0; i < held.articulates.size(); i++)
+    if (world.articulates[i])
+      *world.articulates[i] = held.articulates[i];
+    else
+      world.articulates[i] = std::make_unique<Articulate>(held.articulates[i]);
   world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
   const bool found_anew = world.topology_changed || world.force_elements_changed;
   if (found_anew) return;

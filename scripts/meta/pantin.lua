@@ -234,6 +234,7 @@ local AnySet = {}
 ---@field timeline TimelineEntry[] events that ended, then those that wait: the latest and the next 1000 (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
 ---@field particles Particle[] all particles that are no hinges, and do not sleep in one (read only)
+---@field hash string 16 hexadecimal digits that all positions and velocities make: equal states have equal ones (read only)
 ---@field hinges Particle[] all hinges (read only)
 ---@field connections Connection[] all connections, in the order of making (read only)
 local AnyScene = {}
@@ -866,6 +867,7 @@ local Snapshot = {}
 ---@field title string what the window and the pictures are called (default the file's name)
 ---@field duration number? [s] end of a headless run (default none, which ends after 10 s)
 ---@field pace number [1] simulated s per real s (default `1`)
+---@field history number [s] for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)
 ---@field camera Camera where the scene is seen from (default from where all is seen)
 ---@field store table plain values of yours, which snapshots keep (default `{}`)
 ---@field gravity vec [m/s²] uniform acceleration (default `vec(0, -9.81, 0)`)
@@ -1371,6 +1373,19 @@ function Scene:restore(snapshot) end
 ---scene:button("from the start", function() scene:reset() end)
 ---```
 function Scene:reset() end
+---Goes back by a time to a state that scene.history has kept, once the step is done, as restore does.
+---```lua
+---scene.history = 3
+---scene:on("key", "z", function() scene:rewind(2) end)
+---```
+---@param by number [s]
+function Scene:rewind(by) end
+---Saves the state once the step is done, with the script, what it keeps in its variables, and the files that it read, into a file that ends in .pantin, where the program was started or below. An error while a play waits.
+---```lua
+---scene:button("save", function() scene:save("state.pantin") end)
+---```
+---@param file string
+function Scene:save(file) end
 
 ---A scene that a test opened.
 ---@class OpenedScene: AnyScene

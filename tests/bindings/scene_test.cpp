@@ -28,6 +28,7 @@ class Falling final : public Scene {
   World& world() override { return world_; }
   const World& world() const override { return world_; }
   void step() override { pantin::step(world_); }
+  const std::string& file() const override { return title_; }
   const std::string& title() const override { return title_; }
   std::optional<double> duration() const override { return 1.0; }
   double pace() const override { return 1.0; }
@@ -47,6 +48,7 @@ class Falling final : public Scene {
   void restore(const SceneSnapshot& snapshot) override {
     pantin::restore(world_, dynamic_cast<const KeptWorld&>(snapshot).world);
   }
+  std::string state() override { throw Error("it is not written"); }
   CarriedOver go_on_from(Scene& old) override { return carry_over(old.world(), {}, world_, {}); }
 
   ParticleId particle;

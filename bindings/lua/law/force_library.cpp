@@ -14,8 +14,8 @@ namespace {
 using Given = LibraryParameter::Given;
 using Laws = std::vector<std::shared_ptr<const Law>>;
 
-/// Laws that were made so far, by what they do not share with others of their name.
-using Known = std::map<std::string, Laws>;
+using Known = KnownLaws;
+const char known_key = 0;  // of the registry
 
 int drop_known(lua_State* state) {
   static_cast<Known*>(lua_touserdata(state, 1))->~Known();
@@ -168,12 +168,21 @@ int make_law(lua_State* state) {
 
 }  // namespace
 
+KnownLaws& known_laws(lua_State* state) {
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &known_key);
+  Known& known = *static_cast<Known*>(lua_touserdata(state, -1));
+  lua_pop(state, 1);
+  return known;
+}
+
 void add_library_laws(lua_State* state) {
   new (lua_newuserdatauv(state, sizeof(Known), 0)) Known;
   lua_newtable(state);
   lua_pushcfunction(state, drop_known);
   lua_setfield(state, -2, "__gc");
   lua_setmetatable(state, -2);
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, &known_key);
   for (const LibraryLaw& law : library()) {
     lua_pushlightuserdata(state, const_cast<LibraryLaw*>(&law));
     lua_pushvalue(state, -2);

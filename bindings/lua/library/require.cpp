@@ -14,7 +14,7 @@ const char loading = 0;
 
 /// Upvalue 1: what was loaded, by path.
 int require_file(lua_State* state) {
-  const Runtime& runtime = Runtime::of(state);
+  Runtime& runtime = Runtime::of(state);
   const std::string name = check_text(state, 1, "require", "argument 1");
   std::string path = name;
   if (path.find('/') == std::string::npos) std::replace(path.begin(), path.end(), '.', '/');

@@ -62,6 +62,8 @@ void push_at_work(lua_State* state) {
 
 }  // namespace
 
+lua_CFunction behaviour_part() { return call_part; }
+
 int scene_behave(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "behave");
   lua_settop(state, 4);

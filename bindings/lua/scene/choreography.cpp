@@ -4,26 +4,13 @@
 #include "fields/measures.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 
 namespace pantin::lua {
 namespace {
-
-int push_target(lua_State* state, Script& script, const AnyId& target) {
-  if (std::holds_alternative<std::monostate>(target)) return 0;
-  push_thing(state, script, target);
-  return 1;
-}
-
-/// A removed thing that is used ends this action only.
-template <class Call>
-void in_event(Script& script, Call call) {
-  try {
-    call();
-  } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
-}
 
 /// `[target,] action`, from `index` on; returns the index after them.
 int take_action(lua_State* state, int index, const char* call, Script& script, Event& event) {
@@ -33,17 +20,8 @@ int take_action(lua_State* state, int index, const char* call, Script& script, E
   if (with_target) index++;
   const Callback function = check_function(state, index, call, argument(index - 1) + ", the action,");
   event.label = where(state);
-  event.action = [&script, function, target = event.target] {
-    in_event(script, [&] { function.call([&](lua_State* s) { return push_target(s, script, target); }); });
-  };
-  event.progress = [&script, function, target = event.target](double u) {
-    in_event(script, [&] {
-      function.call([&](lua_State* s) {
-        lua_pushnumber(s, u);
-        return 1 + push_target(s, script, target);
-      });
-    });
-  };
+  event.action = CalledAction{function, &script, event.target};
+  event.progress = CalledProgress{function, &script, event.target};
   return index + 1;
 }
 

@@ -3,6 +3,7 @@
 #include "lua/scene/choreography.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
@@ -74,11 +75,7 @@ Measured of_function(lua_State* state, int index) {
   const Callback function = check_function(state, index, "when", "argument 1, the condition,");
   Measured m;
   m.limit = 0.5;
-  m.measure = [function] {
-    bool holds = false;
-    function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
-    return holds ? 1.0 : 0.0;
-  };
+  m.measure = CalledCondition{function};
   return m;
 }
 

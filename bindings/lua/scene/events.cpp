@@ -9,6 +9,7 @@
 #include "lua/thing/fields.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
@@ -288,8 +289,7 @@ int scene_probe(lua_State* state) {
           "probe: probes cannot be added while the world steps; add them in an event or a step callback");
   for (const Probe& probe : self.world.probes)
     require(probe.name != name, "probe: there is a probe '", name, "' already");
-  self.world.probes.push_back(
-      {name, [function, name] { return function.number(text("probe '", name, "'")); }, {}, self.world.steps});
+  self.world.probes.push_back({name, CalledProbe{function, name}, {}, self.world.steps});
   return 0;
 }
 

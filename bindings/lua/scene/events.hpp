@@ -13,6 +13,8 @@ int subscribe(lua_State* state, Script& script, Subscription subscription);
 
 int scene_on(lua_State* state);
 int scene_behave(lua_State* state);
+/// The built-in function that is a behaviour's part: its upvalues are the behaviour at work and the part's name.
+lua_CFunction behaviour_part();
 int scene_button(lua_State* state);
 int scene_probe(lua_State* state);
 int scene_hand(lua_State* state);

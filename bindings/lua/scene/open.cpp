@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "lua/scene/heap.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_type.hpp"
 #include "lua/scene/script_scene.hpp"
@@ -27,8 +28,12 @@ std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::str
   const Outside outside;
   auto scene = std::make_unique<ScriptScene>(options);
   Script& script = scene->script();
+  script.runtime.name = name;
   script.runtime.folder = folder;
-  script.runtime.run([&](lua_State* state) { open_globals(state, script); });
+  script.runtime.run([&](lua_State* state) {
+    open_globals(state, script);
+    note_permanents(state);
+  });
   apply_settings(script);
   script.runtime.run([&](lua_State* state) {
     script.runtime.load(state, source, name);

@@ -13,4 +13,10 @@ std::unique_ptr<Scene> open_scene(const std::string& path, const SceneOptions& o
 std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::string& name, const std::string& folder,
                                        const SceneOptions& options);
 
+/// Whether a file begins as one of a state.
+bool is_state(const std::string& bytes);
+/// The scene whose state a file holds; `name` is what messages call the file. What of the state is the program's own
+/// (threads, limits, folders) is that of `options`. Throws UsageError where the bytes are no whole state of this version.
+std::unique_ptr<Scene> open_state(const std::string& bytes, const std::string& name, const SceneOptions& options);
+
 }  // namespace pantin::lua

@@ -9,6 +9,8 @@
 namespace pantin::lua {
 namespace {
 
+constexpr double longest_history = 60.0;  // [s] of states in memory
+
 double check_positive(const Self& s, int index, const char* name, const char* unit) {
   const double value = check_number(s.state, index, "scene", name, unit);
   require(value > 0, "scene: ", name, " must be > 0", *unit ? " " : "", unit, ", got ", value);
@@ -62,6 +64,15 @@ std::vector<Field> show_settings() {
       {"pace", "number", "1", "simulated s per real s (default `1`)",
        [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
        [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
+      {"history", "number", "s",
+       "for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)",
+       [](const Self& s) { lua_pushnumber(s.state, s.script.history); },
+       [](const Self& s, int i) {
+         const double value = check_number(s.state, i, "scene", "history", "s");
+         require(value >= 0.0 && value <= longest_history, "scene: history must be from 0 to ", longest_history,
+                 " s, got ", value);
+         s.script.history = value;
+       }},
       {"camera", "Camera", "", "where the scene is seen from (default from where all is seen)", read_camera,
        write_camera},
       {"store", "table", "", "plain values of yours, which snapshots keep (default `{}`)",

@@ -264,6 +264,14 @@ std::vector<Method> telling() {
        "scene:button(\"again\", function() scene:restore(before) end)"},
       {"reset", guard<scene_reset>, "", "", "Goes back to the start of the first step, as restore does.",
        "scene:button(\"from the start\", function() scene:reset() end)"},
+      {"rewind", guard<scene_rewind>, "by: number [s]", "",
+       "Goes back by a time to a state that scene.history has kept, once the step is done, as restore does.",
+       "scene.history = 3\n"
+       "scene:on(\"key\", \"z\", function() scene:rewind(2) end)"},
+      {"save", guard<scene_save>, "file: string", "",
+       "Saves the state once the step is done, with the script, what it keeps in its variables, and the files that it "
+       "read, into a file that ends in .pantin, where the program was started or below. An error while a play waits.",
+       "scene:button(\"save\", function() scene:save(\"state.pantin\") end)"},
   };
 }
 

@@ -5,17 +5,21 @@
 #include "lua/scene/layers.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/snapshot.hpp"
+#include "lua/scene/state_file.hpp"
 #include "step/step.hpp"
 
 namespace pantin::lua {
 
 void step_scene(Script& script) {
   restore_wanted(script);
+  save_wanted(script);
   keep_start(script);
   script.drawings.clear();
   step(script.world);
   tell_unknown_layers(script);
   restore_wanted(script);
+  keep_history(script);
+  save_wanted(script);
 }
 
 Script& script_of(Scene& scene) {
@@ -50,6 +54,11 @@ std::shared_ptr<const SceneSnapshot> ScriptScene::take_snapshot() { return lua::
 void ScriptScene::restore(const SceneSnapshot& snapshot) {
   const Outside outside;
   lua::restore(script_, dynamic_cast<const ScriptSnapshot&>(snapshot));
+}
+
+std::string ScriptScene::state() {
+  const Outside outside;
+  return state_of(script_);
 }
 
 CarriedOver ScriptScene::go_on_from(Scene& old) {

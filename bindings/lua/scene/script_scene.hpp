@@ -13,6 +13,7 @@ class ScriptScene final : public Scene {
   const World& world() const override { return script_.world; }
   void step() override;
 
+  const std::string& file() const override { return script_.runtime.name; }
   const std::string& title() const override { return script_.title; }
   std::optional<double> duration() const override { return script_.duration; }
   double pace() const override { return script_.pace; }
@@ -28,6 +29,7 @@ class ScriptScene final : public Scene {
 
   std::shared_ptr<const SceneSnapshot> take_snapshot() override;
   void restore(const SceneSnapshot& snapshot) override;
+  std::string state() override;
   CarriedOver go_on_from(Scene& old) override;
 
   /// The inside, for the bindings alone.

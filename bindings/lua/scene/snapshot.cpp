@@ -1,11 +1,14 @@
 #include "lua/scene/snapshot.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_type.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/targets.hpp"
+#include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 
 namespace pantin::lua {
@@ -53,7 +56,8 @@ void ScriptSnapshot::put_back(lua_State* state, Script& into) const {
   lua_rawsetp(state, LUA_REGISTRYINDEX, key_of_store(into));
 }
 
-std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script) {
+namespace {
+std::shared_ptr<ScriptSnapshot> take_own_snapshot(Script& script) {
   std::shared_ptr<ScriptSnapshot> snapshot;
   script.runtime.run([&](lua_State* state) {
     sweep_data(state, script);
@@ -63,6 +67,9 @@ std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script) {
   snapshot->world = pantin::take_snapshot(script.world);
   return snapshot;
 }
+}  // namespace
+
+std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script) { return take_own_snapshot(script); }
 
 void restore(Script& script, const ScriptSnapshot& snapshot) {
   const std::string why = why_not_restore(script.world, snapshot.world);
@@ -135,6 +142,41 @@ int scene_reset(lua_State* state) {
           "reset: the start was not kept; it is where a file of the scene has the word reset");
   require(self.script.start != nullptr, "reset: the start could not be kept: ", self.script.no_start);
   return want(self, "reset", self.script.start);
+}
+
+void keep_history(Script& script) {
+  std::deque<std::shared_ptr<ScriptSnapshot>>& ring = script.ring;
+  const World& world = script.world;
+  // What is later than the present was taken back.
+  while (!ring.empty() && ring.back()->world.steps() >= world.steps) ring.pop_back();
+  const double oldest = world.time - script.history - 0.5 * world.settings.step;
+  while (!ring.empty() && (script.history == 0.0 || ring.front()->world.time() < oldest)) ring.pop_front();
+  if (script.history > 0.0 && why_not_restore(world).empty()) ring.push_back(take_own_snapshot(script));
+}
+
+int scene_rewind(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "rewind");
+  const double seconds = check_number(state, 2, "rewind", "argument 1", "s");
+  require(seconds >= 0.0, "rewind: argument 1 must be >= 0 s, got ", seconds);
+  const auto& ring = self.script.ring;
+  require(self.script.history > 0.0, "rewind: no states are kept; say for how long by scene.history, in s");
+  const double wanted = self.world.time - seconds + 0.5 * self.world.settings.step;
+  const auto later = std::upper_bound(ring.begin(), ring.end(), wanted, [](double time, const auto& state_then) {
+    return time < state_then->world.time();
+  });
+  require(later != ring.begin(), "rewind: states are kept from ",
+          ring.empty() ? self.world.time : ring.front()->world.time(), " s on, and ", seconds, " s ago is before that");
+  return want(self, "rewind", *std::prev(later));
+}
+
+int scene_save(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "save");
+  require_unlocked(self.world, "save");
+  const std::string name = check_text(state, 2, "save", "argument 1, the file,");
+  require(static_cast<bool>(self.script.options.save), "save: files are not written here");
+  self.script.save_as = name;
+  self.script.saves_at = where(state);
+  return 0;
 }
 
 const Type& snapshot_type() {

@@ -42,5 +42,9 @@ std::shared_ptr<const ScriptSnapshot> check_snapshot(lua_State* state, int index
 int scene_snapshot(lua_State* state);
 int scene_restore(lua_State* state);
 int scene_reset(lua_State* state);
+int scene_save(lua_State* state);
+int scene_rewind(lua_State* state);
+/// After a step: keeps its state where the script wants a history, and drops what is too old.
+void keep_history(Script& script);
 
 }  // namespace pantin::lua

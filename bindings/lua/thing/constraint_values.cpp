@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/value/arguments.hpp"
 
 namespace pantin::lua {
@@ -30,33 +31,11 @@ void push_breaking(lua_State* state, const Breaking& b) {
 }
 
 std::function<double(double)> number_of_time(Callback function, std::string what, const KeptNumber& kept) {
-  return [function = std::move(function), what = std::move(what), kept](double time) {
-    double value = 0.0;
-    function.call(
-        [&](lua_State* state) {
-          lua_pushnumber(state, time);
-          return 1;
-        },
-        [&](lua_State* state) {
-          value = check_number(state, -1, what, "its result", "");
-          require(kept.allows(value), what, ": its result must ",
-                  kept.range == KeptNumber::Range::positive ? "be > 0 " : "not be 0 ", kept.unit, ", got ", value);
-        });
-    return value;
-  };
+  return CalledNumber{std::move(function), std::move(what), kept};
 }
 
 std::function<Quat(double)> quat_of_time(Callback function, std::string what) {
-  return [function = std::move(function), what = std::move(what)](double time) {
-    Quat value;
-    function.call(
-        [&](lua_State* state) {
-          lua_pushnumber(state, time);
-          return 1;
-        },
-        [&](lua_State* state) { value = check_quat(state, -1, what, "its result"); });
-    return value;
-  };
+  return CalledTurn{std::move(function), std::move(what)};
 }
 
 NumberOrFunction check_number_of_time(const Self& self, int index, const char* what, const char* name, const char* unit,

@@ -5,6 +5,7 @@
 #include "lua/thing/fields.hpp"
 #include "lua/thing/look_options.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 
 namespace pantin::lua {
@@ -40,21 +41,7 @@ std::pair<double, double> check_lifetimes(lua_State* state, int index, const std
   return {*min, *max};
 }
 
-std::function<double(double)> rate_function(const Callback& function) {
-  return [function](double time) {
-    double rate = 0.0;
-    function.call(
-        [&](lua_State* state) {
-          lua_pushnumber(state, time);
-          return 1;
-        },
-        [&](lua_State* state) {
-          rate = check_number(state, -1, "emitter", "what rate returns", "1/s");
-          require(rate >= 0.0, "emitter: rate must be >= 0 1/s, got ", rate);
-        });
-    return rate;
-  };
-}
+std::function<double(double)> rate_function(const Callback& function) { return CalledRate{function}; }
 
 int scene_emitter(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "emitter");

@@ -8,6 +8,7 @@
 #include "lua/law/force_library.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
@@ -102,7 +103,7 @@ void set_law(const Self& self, const Options& o, BondingDef& def) {
   def.law = resolved.laws.front();
   def.parameters = resolved.values;
   def.solve = o.has("implicit") ? read_implicit(o) : resolved.solve;
-  def.on_connection = [&laws = self.script.laws, resolved](ConnectionId id) { watch_law(laws, id, resolved); };
+  def.on_connection = WatchedBond{&self.script.laws, resolved};
 }
 
 }  // namespace

@@ -113,8 +113,12 @@ void push_hand(lua_State* state, Script& script, std::int32_t hand) {
 void push_event(lua_State* state, Script& script, EventId event) {
   const auto& events = script.world.choreography.events;
   const Ref ref = ref_of(script, Kind::event, event, events);
+  push_event_ref(state, ref, events.alive(event) ? events[event].state : nullptr);
+}
+
+void push_event_ref(lua_State* state, const Ref& ref, const std::shared_ptr<EventState>& shared) {
   if (push_known(state, ref)) return;
-  new (lua_newuserdatauv(state, sizeof(EventRef), 0)) EventRef{ref, events[event].state};
+  new (lua_newuserdatauv(state, sizeof(EventRef), 0)) EventRef{ref, shared};
   push_metatable(state, Kind::event);
   lua_pushcfunction(state, drop_event);
   lua_setfield(state, -2, "__gc");
@@ -122,7 +126,11 @@ void push_event(lua_State* state, Script& script, EventId event) {
   remember(state, ref);
 }
 
-EventState state_of_event(const Ref& event) { return *static_cast<const EventRef&>(event).state; }
+EventState state_of_event(const Ref& event) { return *shared_state_of_event(event); }
+
+const std::shared_ptr<EventState>& shared_state_of_event(const Ref& event) {
+  return static_cast<const EventRef&>(event).state;
+}
 
 namespace {
 /// The data of a group stay while its set is there, even an empty one.

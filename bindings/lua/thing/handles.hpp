@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <lua.hpp>
+#include <memory>
 #include <vector>
 
 #include "lua/value/ref.hpp"
@@ -18,6 +19,9 @@ void push_hand(lua_State* state, Script& script, std::int32_t hand);
 /// Of an event that waits.
 void push_event(lua_State* state, Script& script, EventId event);
 EventState state_of_event(const Ref& event);
+/// What the handle of an event tells it from, and one that tells it from that.
+const std::shared_ptr<EventState>& shared_state_of_event(const Ref& event);
+void push_event_ref(lua_State* state, const Ref& event, const std::shared_ptr<EventState>& shared);
 /// Pushes a list { thing, … }.
 template <class Id>
 void push_list(lua_State* state, Script& script, const std::vector<Id>& ids) {

@@ -6,6 +6,7 @@
 #include "lua/thing/constraint_values.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
@@ -25,7 +26,7 @@ PointId hinge_member(lua_State* state, int index) {
 }  // namespace
 
 std::function<Vec3(double)> position_of_time(Callback function, std::string what) {
-  return [function = std::move(function), what = std::move(what)](double time) { return function.vector(time, what); };
+  return CalledPosition{std::move(function), std::move(what)};
 }
 
 int scene_hinge(lua_State* state) {
@@ -133,15 +134,7 @@ int scene_join(lua_State* state) {
   def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
   def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
   def.name = o.string("name").value_or("");
-  if (const auto on_met = o.function("on_met"))
-    def.on_met = [on_met = *on_met, &script = self.script](ParticleId hinge) {
-      try {
-        on_met.call([&](lua_State* s) {
-          push_thing(s, script, hinge);
-          return 1;
-        });
-      } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
-    };
+  if (const auto on_met = o.function("on_met")) def.on_met = CalledOnMet{*on_met, &self.script};
   push_thing(state, self.script, add_join(self.world, a, b, def));
   return 1;
 }

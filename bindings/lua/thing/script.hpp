@@ -1,5 +1,6 @@
 #pragma once
 // What a scene is, inside: its Lua state, its world, and what the script declared.
+#include <deque>
 #include <lua.hpp>
 #include <map>
 #include <memory>
@@ -76,6 +77,10 @@ struct Script : ScriptHost, ScriptData {
   std::shared_ptr<const ScriptSnapshot> start;   ///< before the first step, where a file speaks of `reset`
   std::string no_start;                          ///< why it could not be kept
   std::shared_ptr<const ScriptSnapshot> wanted;  ///< to be restored when the step is done
+  double history = 0.0;                          ///< [s] for which states are kept, see `ring`
+  std::deque<std::shared_ptr<ScriptSnapshot>> ring;  ///< of the last steps, oldest first
+  std::string save_as;                           ///< the state is to be saved by that name when the step is done
+  std::string saves_at;                          ///< "scene.lua:12", which asked for that
   std::uint64_t snapshots = 0;                   ///< that the script took
   std::size_t data_count = 0;                    ///< tables of things' data
   std::size_t data_sweep = 64;                   ///< count at which the dead ones are dropped

@@ -165,7 +165,7 @@ int make_new(lua_State* state) {
 std::string read_scene_file(lua_State* state, const char* call, const char* assets, const std::string& name) {
   require(stays_inside(name), call, ": '", name, "' must be a file below the scene's folder or assets/", assets,
           ", not an absolute path or one with ..");
-  const Runtime& runtime = Runtime::of(state);
+  Runtime& runtime = Runtime::of(state);
   const std::string folders[] = {runtime.folder, path_in(runtime.home, text("assets/", assets))};
   const std::string places[] = {path_in(folders[0], name), path_in(folders[1], name)};
   for (std::size_t i = 0; i < std::size(places); i++) {

@@ -10,8 +10,9 @@ namespace {
 
 const char numbers_key = 0;  // of the registry's table of what was shown
 
-/// The table that gives the number of each thing that was shown; it keeps none of them alive.
-void push_numbers(lua_State* state) {
+}  // namespace
+
+void push_shown(lua_State* state) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, &numbers_key) != LUA_TNIL) return;
   lua_pop(state, 1);
   lua_newtable(state);
@@ -23,8 +24,10 @@ void push_numbers(lua_State* state) {
   lua_rawsetp(state, LUA_REGISTRYINDEX, &numbers_key);
 }
 
+namespace {
+
 lua_Integer number_of(lua_State* state, int index) {
-  push_numbers(state);
+  push_shown(state);
   lua_pushvalue(state, index);
   if (lua_rawget(state, -2) == LUA_TNIL) {
     lua_pushvalue(state, index);

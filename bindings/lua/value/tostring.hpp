@@ -8,6 +8,9 @@ namespace pantin::lua {
 /// first shown, "table: 1": Lua's own addresses differ from run to run.
 std::string_view push_text(lua_State* state, int index);
 
+/// Pushes the table that gives the number of each thing that was shown; it keeps none of them alive.
+void push_shown(lua_State* state);
+
 /// Puts `tostring` and `print` into the globals.
 void open_tostring(lua_State* state);
 

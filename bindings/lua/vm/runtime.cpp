@@ -128,19 +128,27 @@ void Runtime::fail(lua_State* state, int status) {
   throw ScriptError(message);
 }
 
-void Runtime::load(lua_State* state, const std::string& source, const std::string& name) {
-  require(!source.starts_with('\x1b'), name, ":1: this is compiled code, and a scene is a text");
-  const std::string chunk = "@" + name;
+void Runtime::load(lua_State* state, const std::string& source, const std::string& named) {
+  require(!source.starts_with('\x1b'), named, ":1: this is compiled code, and a scene is a text");
   speaks_of_reset = speaks_of_reset || source.find("reset") != source.npos;
+  const SourceText chunk{named, source};
+  load_text(state, chunk);
+  chunks.push_back(chunk);
+}
+
+void load_text(lua_State* state, const SourceText& chunk) {
+  const std::string& source = chunk.source;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
-  if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, chunk.c_str(), "t") != LUA_OK)
+  if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, ("@" + chunk.name).c_str(), "t") !=
+      LUA_OK)
     lua_error(state);
 }
 
-std::optional<std::string> Runtime::read(const std::string& path) const {
+std::optional<std::string> Runtime::read(const std::string& path) {
   std::optional<std::string> content = reader(path);
   if (content && on_read) on_read({path, *content});
+  if (content) files[path] = *content;
   return content;
 }
 

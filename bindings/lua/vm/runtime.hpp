@@ -5,13 +5,16 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "base/random.hpp"
 #include "lua/vm/guard.hpp"
+#include "lua/vm/prototypes.hpp"
 #include "lua/vm/small_blocks.hpp"
 #include "lua/vm/watchdog.hpp"
 #include "scene/files.hpp"
@@ -53,7 +56,7 @@ class Runtime {
   /// Pushes the chunk of a text; `name` is what messages call it.
   void load(lua_State* state, const std::string& source, const std::string& name);
   /// All of a file, which `on_read` is told, or nothing where it cannot be read.
-  std::optional<std::string> read(const std::string& path) const;
+  std::optional<std::string> read(const std::string& path);
 
   /// How often scripts ran.
   std::uint64_t runs() const { return runs_; }
@@ -63,12 +66,15 @@ class Runtime {
 
   std::function<std::optional<std::string>(const std::string& path)> reader = file_content;  ///< of contents of files
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
+  std::string name;                              ///< of the scene's file, as messages call it
   std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
   std::string home;                              ///< holds scripts/lib and scripts/behaviours
   Random* random = nullptr;                      ///< source of math.random
   lua_Integer shown = 0;                         ///< values that were given a number to be shown by
   LawRun* law = nullptr;                         ///< the law whose function runs, or null
   bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
+  std::vector<SourceText> chunks;                     ///< texts that were loaded so far
+  std::map<std::string, std::string> files;      ///< that were read, by their paths
   std::uint64_t traces = 0;                      ///< that were begun so far
   std::string stale_message;                     ///< text of the last error that a StaleHandle became
   std::string usage_message;                     ///< text of the last error that a UsageError became
@@ -96,6 +102,9 @@ class Runtime {
   lua_State* main_ = nullptr;
   Watch watch_;
 };
+
+/// Pushes the chunk of a text.
+void load_text(lua_State* state, const SourceText& chunk);
 
 /// While it lives, the time of the script that is running does not count: the engine is at work.
 class Outside {

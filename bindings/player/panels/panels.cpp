@@ -149,6 +149,9 @@ void Panels::draw_list(Desk& desk) {
   ImGui::Separator();
   desk.wishes.picture |= item("picture", KeyUse::picture, 0, false, "of the scene, as .png");
   desk.wishes.film |= item("film", KeyUse::film, 0, desk.filming, "what is seen, until it is pressed again, as .mp4");
+  desk.wishes.save_state |=
+      item("save", KeyUse::save_state, 0, false, "the state, as .pantin: the scene goes on from it");
+  desk.wishes.open_state |= item("open", KeyUse::open_state, 0, false, "the state that was saved last");
   ImGui::EndPopup();
 }
 

@@ -33,6 +33,7 @@ struct Arranged {
   void arrange(const BondList& ties, std::size_t site_count);
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   void number_groups(const BondList& ties, std::size_t site_count);
   void sort_by_group_and_first(const BondList& ties, std::size_t site_count);
 

@@ -25,6 +25,7 @@ class Bonds final : public LawOnSites {
   double pull(std::size_t connection, const Sites& sites, const Box& box);
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   std::size_t phases() const override { return bonds_.phases.size(); }
   std::size_t tasks(std::size_t phase) const override { return bonds_.phases[phase].size(); }
   Task task(std::size_t phase, std::size_t number) const override;

@@ -13,6 +13,7 @@ class Fields final : public LawOnSites {
   void arrange(std::span<const std::uint32_t> members);
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   std::size_t tasks(std::size_t phase) const override;
   Task task(std::size_t phase, std::size_t number) const override;
   std::unique_ptr<Block> make_block(LawBlock made) const override;

@@ -96,6 +96,7 @@ class LawOnSites {
   Asked asked_;
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   double add(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters, Workers& workers,
              bool with_energy);
   void make_sloped();

@@ -143,6 +143,18 @@ NeighbourList::NeighbourList(const NeighbourList& other)
     }
 }
 NeighbourList::NeighbourList(NeighbourList&&) noexcept = default;
+
+const std::vector<std::uint32_t>& NeighbourList::tiled() const { return work_->tiled; }
+
+void NeighbourList::set_lists(const std::vector<std::uint32_t>& tiled, const std::vector<std::vector<char>>& of_all) {
+  work_->tiled = tiled;
+  for (std::size_t phase = 0; phase < phases_.size(); phase++)
+    for (std::size_t k = 0; k < phases_[phase].size(); k++) {
+      Slab& slab = phases_[phase][k];
+      slab.list = of_all[phase][k] != 0 ? work_->tiled.data() : slab.own.data();
+    }
+}
+
 NeighbourList& NeighbourList::operator=(NeighbourList&&) noexcept = default;
 
 void NeighbourList::build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a,

@@ -62,9 +62,14 @@ class NeighbourList {
   std::size_t memory() const;                     ///< [bytes]
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   struct Work;
   void build_by_cells(const Omitted& omitted, Workers& workers);
   void build_all(const Omitted& omitted);
+  /// The members in the order in which all pairs are meant, which some slabs list; empty where each lists its own.
+  const std::vector<std::uint32_t>& tiled() const;
+  /// `of_all`: (phases, slabs) whether it lists those.
+  void set_lists(const std::vector<std::uint32_t>& tiled, const std::vector<std::vector<char>>& of_all);
 
   std::vector<std::vector<Slab>> phases_;
   std::unique_ptr<Work> work_;

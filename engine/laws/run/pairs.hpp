@@ -14,6 +14,7 @@ class Pairs final : public LawOnSites {
   NeighbourList neighbours;
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   std::size_t phases() const override { return neighbours.phases().size(); }
   std::size_t tasks(std::size_t phase) const override { return neighbours.phases()[phase].size(); }
   Task task(std::size_t phase, std::size_t number) const override;

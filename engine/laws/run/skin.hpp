@@ -14,6 +14,7 @@ class Skin {
   double width() const { return width_; }  ///< [m]
 
  private:
+  friend struct StateFields;  ///< of snapshot/state_fields.hpp
   AlignedVector<Vec3> start_;
   double width_ = 0.0;
 };
