@@ -111,8 +111,9 @@ class SavesAt {
 };
 
 std::unique_ptr<Scene> open(const RunOptions& options, const std::string& path, const std::string& home) {
-  if (options.from.empty()) return lua::open_scene(path, scene_options(options, home));
-  return open_saved(options.from, options.scene, scene_options(options, home));
+  const SceneOptions opened = scene_options(options, home);
+  if (!options.from.empty()) return open_saved(path, options.scene, opened);
+  return path.ends_with(state_ending) ? open_saved(path, "", opened) : lua::open_scene(path, opened);
 }
 
 }  // namespace

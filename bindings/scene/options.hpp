@@ -30,8 +30,8 @@ struct SceneOptions {
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
   /// Writes a state that the script saves under a name; empty: scripts may not. Throws Error.
   std::function<void(const std::string& name, const std::string& state)> save;
-  bool changing = false;                         ///< may be followed by the scene of a changed file, see `go_on_from`
-  bool forgiving = false;                        ///< what `set` says that does not fit the file is left out
+  bool changing = false;   ///< may be followed by the scene of a changed file, see `go_on_from`
+  bool forgiving = false;  ///< what `set` says that does not fit the file is left out
 };
 
 /// What `scene:param` declared.

@@ -180,8 +180,10 @@ namespace pantin {
 /// How many fields a plain struct has; 0 where it has none, or more than 80.
 template <class T>
 constexpr std::size_t count_fields() {
-#define PANTIN_COUNT(n) \
-  if constexpr (requires { T{PANTIN_NONE_##n}; }) return n; else
+#define PANTIN_COUNT(n)                           \
+  if constexpr (requires { T{PANTIN_NONE_##n}; }) \
+    return n;                                     \
+  else
   PANTIN_EACH_COUNT(PANTIN_COUNT)
 #undef PANTIN_COUNT
   return 0;
@@ -191,9 +193,9 @@ constexpr std::size_t count_fields() {
 template <class T, class Use>
 void with_fields(T& value, Use&& use) {
   constexpr std::size_t count = count_fields<std::remove_const_t<T>>();
-#define PANTIN_USE(n)                   \
-  if constexpr (count == n) {           \
-    auto& [PANTIN_FIELD_##n] = value;   \
+#define PANTIN_USE(n)                         \
+  if constexpr (count == n) {                 \
+    auto& [PANTIN_FIELD_##n] = value;         \
     std::forward<Use>(use)(PANTIN_FIELD_##n); \
   } else
   PANTIN_EACH_COUNT(PANTIN_USE) static_assert(std::is_empty_v<T>, "it has more fields than with_fields knows");

@@ -45,7 +45,7 @@ class Generations {
   }
 
  private:
-  friend struct StateFields;  ///< of snapshot/state_fields.hpp
+  friend struct StateFields;         ///< of snapshot/state_fields.hpp
   std::vector<std::uint32_t> last_;  ///< (slots)
 };
 

@@ -65,9 +65,9 @@ class Outsider : public FunctionKeeper<void()>,
 
 /// What both directions know.
 struct Visiting {
-  World* world = nullptr;      ///< of the state
+  World* world = nullptr;  ///< of the state
   Outsider* outside = nullptr;
-  Forces* forces = nullptr;    ///< that are visited
+  Forces* forces = nullptr;  ///< that are visited
 };
 
 class Writer : public Visiting {
@@ -273,7 +273,7 @@ void visit_new(Reader& a, std::shared_ptr<T>& pointer, std::shared_ptr<void>& kn
 
 /// A plain struct.
 template <class A, class T>
-  requires IsPlain<T>
+requires IsPlain<T>
 void visit_own(A& a, T& value) {
   with_fields(value, [&](auto&... field) { (visit(a, field), ...); });
 }

@@ -100,10 +100,8 @@ struct StateFields {
 };
 
 template <class A, class T>
-  requires requires(A& a, T& value) { StateFields::inside(a, value); }
-void visit_own(A& a, T& value) {
-  StateFields::inside(a, value);
-}
+requires requires(A& a, T& value) { StateFields::inside(a, value); }
+void visit_own(A& a, T& value) { StateFields::inside(a, value); }
 
 // Structs with a base. A test holds their lists against their sizes.
 
@@ -131,17 +129,14 @@ inline auto own_fields(Field& f) { return std::tie(f.family, f.group, f.told_mas
 inline Model& base_of(WorldData& w) { return w; }
 inline ArticulateState& base_of(Articulate& a) { return a; }
 template <class T>
-  requires std::is_base_of_v<ForceElement, T>
-ForceElement& base_of(T& element) {
-  return element;
-}
+requires std::is_base_of_v<ForceElement, T> ForceElement& base_of(T& element) { return element; }
 
 template <class T>
 concept HasBase = std::is_same_v<T, WorldData> || std::is_same_v<T, Articulate> || std::is_same_v<T, Connection> ||
-                  std::is_same_v<T, Interaction> || std::is_same_v<T, Field>;
+    std::is_same_v<T, Interaction> || std::is_same_v<T, Field>;
 
 template <class A, class T>
-  requires IsPlain<T> && HasBase<T>
+requires IsPlain<T> && HasBase<T>
 void visit_own(A& a, T& value) {
   visit(a, base_of(value));
   std::apply([&](auto&... field) { (visit(a, field), ...); }, own_fields(value));
@@ -149,9 +144,8 @@ void visit_own(A& a, T& value) {
 
 // What points at something.
 
-inline constexpr std::array all_row_rules = {&rigid_row,   &soft_row,  &rod_row,   &axis_row, &turn_row,
-                                             &coupled_row, &stiff_row, &plane_row, &path_row, &align_row,
-                                             &attract_row};
+inline constexpr std::array all_row_rules = {&rigid_row, &soft_row,  &rod_row,  &axis_row,  &turn_row,   &coupled_row,
+                                             &stiff_row, &plane_row, &path_row, &align_row, &attract_row};
 
 template <class A>
 void visit_own(A& a, const RowRule*& rule) {
@@ -249,9 +243,8 @@ void visit_elements(A& a, std::vector<Acting>& list, Make make) {
 }
 template <class A>
 void visit_own(A& a, std::vector<ActingInteraction>& list) {
-  visit_elements(a, list, [&](const auto& law, bool) {
-    return ActingInteraction({}, law, *a.forces, *a.world->workers);
-  });
+  visit_elements(a, list,
+                 [&](const auto& law, bool) { return ActingInteraction({}, law, *a.forces, *a.world->workers); });
 }
 template <class A>
 void visit_own(A& a, std::vector<ActingField>& list) {

@@ -48,7 +48,7 @@ class HeapWriter {
   Writer& to_;
   int base_, seen_, list_, permanents_;  ///< stack: height before; number by object; object by number; name by object
   lua_Integer count_ = 0;
-  std::vector<std::string> names_;  ///< (objects) for messages
+  std::vector<std::string> names_;                                                       ///< (objects) for messages
   std::unordered_map<std::string, std::pair<std::uint32_t, std::uint32_t>> prototypes_;  ///< chunk, number in it
   std::unordered_map<const void*, std::string> built_in_;                                ///< names by address
   std::unordered_map<const void*, std::pair<lua_Integer, int>> upvalues_;                ///< whose, and which

@@ -70,21 +70,21 @@ struct Script : ScriptHost, ScriptData {
 
   World world;
 
-  Made made;                                     ///< by the file, where it may change
-  std::set<std::string> fixed;                   ///< settings that `--set` gave: what the file assigns is ignored
-  std::uint64_t subscribed = 0;                  ///< serial of the last subscription
-  int telling = 0;                               ///< calls that go through the subscriptions now
-  std::shared_ptr<const ScriptSnapshot> start;   ///< before the first step, where a file speaks of `reset`
-  std::string no_start;                          ///< why it could not be kept
-  std::shared_ptr<const ScriptSnapshot> wanted;  ///< to be restored when the step is done
-  double history = 0.0;                          ///< [s] for which states are kept, see `ring`
+  Made made;                                         ///< by the file, where it may change
+  std::set<std::string> fixed;                       ///< settings that `--set` gave: what the file assigns is ignored
+  std::uint64_t subscribed = 0;                      ///< serial of the last subscription
+  int telling = 0;                                   ///< calls that go through the subscriptions now
+  std::shared_ptr<const ScriptSnapshot> start;       ///< before the first step, where a file speaks of `reset`
+  std::string no_start;                              ///< why it could not be kept
+  std::shared_ptr<const ScriptSnapshot> wanted;      ///< to be restored when the step is done
+  double history = 0.0;                              ///< [s] for which states are kept, see `ring`
   std::deque<std::shared_ptr<ScriptSnapshot>> ring;  ///< of the last steps, oldest first
-  std::string save_as;                           ///< the state is to be saved by that name when the step is done
-  std::string saves_at;                          ///< "scene.lua:12", which asked for that
-  std::uint64_t snapshots = 0;                   ///< that the script took
-  std::size_t data_count = 0;                    ///< tables of things' data
-  std::size_t data_sweep = 64;                   ///< count at which the dead ones are dropped
-  std::vector<SpokenLayer> spoken_layers;        ///< since the last step
+  std::string save_as;                               ///< the state is to be saved by that name when the step is done
+  std::string saves_at;                              ///< "scene.lua:12", which asked for that
+  std::uint64_t snapshots = 0;                       ///< that the script took
+  std::size_t data_count = 0;                        ///< tables of things' data
+  std::size_t data_sweep = 64;                       ///< count at which the dead ones are dropped
+  std::vector<SpokenLayer> spoken_layers;            ///< since the last step
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};

@@ -73,7 +73,7 @@ class Runtime {
   lua_Integer shown = 0;                         ///< values that were given a number to be shown by
   LawRun* law = nullptr;                         ///< the law whose function runs, or null
   bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
-  std::vector<SourceText> chunks;                     ///< texts that were loaded so far
+  std::vector<SourceText> chunks;                ///< texts that were loaded so far
   std::map<std::string, std::string> files;      ///< that were read, by their paths
   std::uint64_t traces = 0;                      ///< that were begun so far
   std::string stale_message;                     ///< text of the last error that a StaleHandle became
