@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double shortest_interval = 0.02;  // [s] of computing between places
 constexpr double interval_to_cost = 20.0;   // of places
 
-constexpr std::size_t most_places = 100, fewest_places = 8;
+constexpr std::size_t most_kept = 100, fewest_places = 8;
 constexpr std::size_t most_points = 40000;  // in all of them, of some 5 kB each
 
 constexpr const char* home_as_recorded = "pantin:";
@@ -209,7 +209,7 @@ void Replay::keep_place() {
   const auto begin = Clock::now();
   const std::size_t points = scene_->world().points.size();
   positions_.keep({tick_, next_, options_.set, contents_, scene_->take_snapshot()},
-                  std::clamp(most_points / (points + 1), fewest_places, most_places));
+                  std::clamp(most_points / (points + 1), fewest_places, most_kept));
   place_cost_ = seconds_since(begin);
   since_position_ = 0.0;
 }

@@ -93,6 +93,11 @@ std::optional<double> depth_of_plane(const Viewport& viewport, double x, double 
   return std::isfinite(depth) && depth > 0.0 ? std::optional(depth) : std::nullopt;
 }
 
+/// [m] What a pixel shows of the plane, or else of that depth.
+Vec3 place_shown(const Viewport& viewport, double x, double y, double depth) {
+  return viewport.place(x, y, depth_of_plane(viewport, x, y).value_or(depth));
+}
+
 std::vector<Vec3> corners_of(Vec3 half) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; i++) corners.push_back(half * vec(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0));
@@ -321,7 +326,7 @@ double ToolUse::make_rod(const Viewport& viewport, Command& c) const {
     c.points = {zero3(), viewport.camera.right() * unit};
     return 1.0;
   }
-  Vec3 to = viewport.place(x_, y_, depth_);
+  Vec3 to = place_shown(viewport, x_, y_, depth_);
   const Held end = pick_held(viewport, x_, y_);
   if (end.point && end.point != point_) {
     c.other = end.point;
@@ -337,9 +342,9 @@ double ToolUse::make_rod(const Viewport& viewport, Command& c) const {
 
 double ToolUse::make_box(const Viewport& viewport, Command& c) const {
   const double unit = viewport.stage.unit, step = round_step(unit);
-  const Vec3 from = viewport.place(x0_, y0_, depth_);
+  const Vec3 from = place_shown(viewport, x0_, y0_, depth_);
   const Vec3 to = is_click() ? from + 0.5 * unit * (viewport.camera.right() + viewport.camera.up())
-                             : viewport.place(x_, y_, depth_);
+                             : place_shown(viewport, x_, y_, depth_);
   const Vec3 way_to = rounded(to, step) - rounded(from, step);
   c.position = 0.5 * (rounded(from, step) + rounded(to, step));
   c.amount = half_of_box(way_to, step);

@@ -139,6 +139,7 @@ void tie_by_spring(World& world, PointId a, PointId b, Vec3 place) {
   if (laws.size() > 1) law->also = std::make_shared<const Law>(std::move(laws[1]));
   ConnectionDef def;
   def.ends = {End{world.points[a].particle}, b ? End{world.points[b].particle} : End{ParticleId{}, place}};
+  if (!world.settings.box) def.solve = Solve::at_middle;
   add_connection(world, law, def);
 }
 

@@ -129,9 +129,9 @@ TEST_CASE("join draws the point of the press to that of the release", "[view]") 
   two.drag(two.seen(two.head(0)), two.seen(two.tail(0)));
   CHECK_THAT(two.last_log(), Contains("join by hand 1") && Contains("both points belong to"));
   two.drag(two.seen(two.head(0)), {5, 5});
-  CHECK_THAT(two.said.back(), Contains("let go at another point"));
+  CHECK_THAT(two.said.back(), Contains("let go at another thing"));
   two.drag({5, 5}, two.seen(two.tail(0)));
-  CHECK_THAT(two.said.back(), Contains("begin at a point"));
+  CHECK_THAT(two.said.back(), Contains("begin at a thing"));
 }
 
 TEST_CASE("nail holds a point, and pulls a nail out", "[view]") {

@@ -9,8 +9,8 @@
 namespace pantin::lua {
 namespace {
 
-BodyId id_of(const Self& self) { return self.ref.id<BodyId>(); }
-Body& row(const Self& self) { return self.world.bodies[id_of(self)]; }
+BodyId body_id(const Self& self) { return self.ref.id<BodyId>(); }
+Body& body_row(const Self& self) { return self.world.bodies[body_id(self)]; }
 
 std::optional<Vec3> place(lua_State* state, const char* call) {
   if (lua_isnoneornil(state, 3)) return {};
@@ -19,33 +19,33 @@ std::optional<Vec3> place(lua_State* state, const char* call) {
 
 int push_force(lua_State* state) {
   const Self self = check_self(state, Kind::body, "push");
-  push(self.world, id_of(self), check_vec(state, 2, "push", "force", "N"), place(state, "push"));
+  push(self.world, body_id(self), check_vec(state, 2, "push", "force", "N"), place(state, "push"));
   return 0;
 }
 
 int kick_body(lua_State* state) {
   const Self self = check_self(state, Kind::body, "kick");
-  kick(self.world, id_of(self), check_vec(state, 2, "kick", "impulse", "N s"), place(state, "kick"));
+  kick(self.world, body_id(self), check_vec(state, 2, "kick", "impulse", "N s"), place(state, "kick"));
   return 0;
 }
 
 int twist_body(lua_State* state) {
   const Self self = check_self(state, Kind::body, "twist");
-  twist(self.world, id_of(self), check_vec(state, 2, "twist", "torque", "N m"));
+  twist(self.world, body_id(self), check_vec(state, 2, "twist", "torque", "N m"));
   return 0;
 }
 
 int add_point_to(lua_State* state) {
   const Self self = check_self(state, Kind::body, "add_point");
   push_thing(state, self.script,
-             add_point(self.world, id_of(self), point_def(state, 2, "add_point", "argument 1", true)));
+             add_point(self.world, body_id(self), point_def(state, 2, "add_point", "argument 1", true)));
   return 1;
 }
 
 int remove_point_of(lua_State* state) {
   const Self self = check_self(state, Kind::body, "remove_point");
   const PointId point = check_kind(state, 2, Kind::point, "remove_point", argument(1)).id<PointId>();
-  require(self.world.points[point].body == id_of(self), "remove_point: ", describe(self.world, point),
+  require(self.world.points[point].body == body_id(self), "remove_point: ", describe(self.world, point),
           " is no point of ", describe(self.ref));
   remove_point(self.world, point);
   return 0;
@@ -53,7 +53,7 @@ int remove_point_of(lua_State* state) {
 
 /// Its points by their names.
 bool named_point(const Self& self, const char* name) {
-  for (PointId p : row(self).points)
+  for (PointId p : body_row(self).points)
     if (self.world.points[p].name == name && *name) return push_thing(self.state, self.script, p), true;
   return false;
 }

@@ -14,11 +14,11 @@
 namespace pantin::lua {
 namespace {
 
-GroupId id_of(const Self& self) { return self.ref.id<GroupId>(); }
+GroupId group_id(const Self& self) { return self.ref.id<GroupId>(); }
 
 std::vector<AnyId> living_members(const Self& self) {
   std::vector<AnyId> living;
-  for (const AnyId& id : self.world.groups[id_of(self)].members)
+  for (const AnyId& id : self.world.groups[group_id(self)].members)
     if (alive(self.world, id)) living.push_back(id);
   return living;
 }
@@ -28,7 +28,7 @@ int add_things(lua_State* state) {
   const int count = lua_gettop(state);
   for (int i = 2; i <= count; i++) check_thing(state, i, "group: add", argument(i - 1));
   require(count > 1, "group: add: argument 1 must be a thing of the scene, got nil");
-  for (int i = 2; i <= count; i++) add_to_group(self.world, id_of(self), to_ref(state, i)->thing);
+  for (int i = 2; i <= count; i++) add_to_group(self.world, group_id(self), to_ref(state, i)->thing);
   lua_settop(state, 1);
   return 1;
 }
@@ -37,9 +37,9 @@ int add_things(lua_State* state) {
 int remove_things(lua_State* state) {
   const Self self = check_self(state, Kind::group, "remove");
   const int count = lua_gettop(state);
-  if (count == 1) return remove(self.world, id_of(self)), 0;
+  if (count == 1) return remove(self.world, group_id(self)), 0;
   for (int i = 2; i <= count; i++)
-    remove_from_group(self.world, id_of(self), check_thing(state, i, "group: remove", argument(i - 1)).thing);
+    remove_from_group(self.world, group_id(self), check_thing(state, i, "group: remove", argument(i - 1)).thing);
   return 0;
 }
 
@@ -105,7 +105,7 @@ int cut_hinges(lua_State* state) {
 
 int bounds_of(lua_State* state) {
   const Self self = check_self(state, Kind::group, "bounds");
-  const Bounds box = bounds(self.world, things_of(self.world, id_of(self)));
+  const Bounds box = bounds(self.world, things_of(self.world, group_id(self)));
   push(state, box.low);
   push(state, box.high);
   return 2;
@@ -117,7 +117,7 @@ int clusters_of(lua_State* state) {
   require(distance >= 0, "clusters: argument 1, the distance, must be >= 0 m, got ", distance);
   lua_newtable(state);
   lua_Integer i = 0;
-  for (const std::vector<AnyId>& cluster : clusters(self.world, id_of(self), distance)) {
+  for (const std::vector<AnyId>& cluster : clusters(self.world, group_id(self), distance)) {
     push_list(state, self.script, cluster);
     lua_rawseti(state, -2, ++i);
   }

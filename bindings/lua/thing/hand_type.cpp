@@ -10,7 +10,7 @@ namespace pantin::lua {
 namespace {
 
 std::int32_t index_of(const Self& self) { return static_cast<std::int32_t>(self.ref.slot) - 1; }
-const Hand& row(const Self& self) { return self.world.hands[self.ref.slot - 1]; }
+const Hand& hand_row(const Self& self) { return self.world.hands[self.ref.slot - 1]; }
 
 int grab_point(lua_State* state) {
   const Self self = check_self(state, Kind::hand, "grab");
@@ -29,11 +29,12 @@ int release_point(lua_State* state) {
 Type make_hand_type() {
   Type type{"Hand", "hand", "What can grab: the mouse, a finger, a stick, a script's.", {}, {}};
   type.fields = {
-      {"position", "vec", "m", "position in the world", [](const Self& s) { push(s.state, row(s).position); }, nullptr},
-      {"velocity", "vec", "m/s", "velocity over the last step", [](const Self& s) { push(s.state, row(s).velocity); },
+      {"position", "vec", "m", "position in the world", [](const Self& s) { push(s.state, hand_row(s).position); },
        nullptr},
+      {"velocity", "vec", "m/s", "velocity over the last step",
+       [](const Self& s) { push(s.state, hand_row(s).velocity); }, nullptr},
       {"pressed", "boolean", "", "whether its button is down",
-       [](const Self& s) { lua_pushboolean(s.state, row(s).pressed); }, nullptr},
+       [](const Self& s) { lua_pushboolean(s.state, hand_row(s).pressed); }, nullptr},
   };
   type.methods = {
       {"grab", guard<grab_point>, "point: Point|Particle, options?: GrabOptions", "",

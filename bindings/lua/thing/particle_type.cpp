@@ -12,25 +12,25 @@
 namespace pantin::lua {
 namespace {
 
-ParticleId id_of(const Self& self) { return self.ref.id<ParticleId>(); }
-Particle& row(const Self& self) { return self.world.particles[id_of(self)]; }
+ParticleId particle_id(const Self& self) { return self.ref.id<ParticleId>(); }
+Particle& particle_row(const Self& self) { return self.world.particles[particle_id(self)]; }
 /// What it answers for: itself, or the hinge it sleeps in.
-Particle& ring(const Self& self) { return self.world.particles[awake(self.world, id_of(self))]; }
+Particle& ring(const Self& self) { return self.world.particles[awake(self.world, particle_id(self))]; }
 
 int cut_hinge(lua_State* state) {
   const Self self = check_self(state, Kind::particle, "cut");
-  require(row(self).is_hinge(), "cut: ", describe(self.ref), " is no hinge");
+  require(particle_row(self).is_hinge(), "cut: ", describe(self.ref), " is no hinge");
   if (lua_isnoneornil(state, 2))
-    cut(self.world, id_of(self));
+    cut(self.world, particle_id(self));
   else
-    cut(self.world, id_of(self), check_body(state, 2, "cut", argument(1)));
+    cut(self.world, particle_id(self), check_body(state, 2, "cut", argument(1)));
   return 0;
 }
 
 int force_of_hinge(lua_State* state) {
   const Self self = check_self(state, Kind::particle, "force");
-  require(row(self).is_hinge(), "force: ", describe(self.ref), " is no hinge");
-  push(state, hinge_force(self.world, id_of(self), check_body(state, 2, "force", argument(1))));
+  require(particle_row(self).is_hinge(), "force: ", describe(self.ref), " is no hinge");
+  push(state, hinge_force(self.world, particle_id(self), check_body(state, 2, "force", argument(1))));
   return 1;
 }
 
@@ -40,7 +40,7 @@ bool read_attribute(const Self& self, const char* name) {
   if (!particle.family) return false;
   const std::ptrdiff_t found = self.world.families[particle.family].find(name);
   if (found < 0) return false;
-  const auto followed = curve_value(self.world, awake(self.world, id_of(self)), name, self.world.time);
+  const auto followed = curve_value(self.world, awake(self.world, particle_id(self)), name, self.world.time);
   lua_pushnumber(self.state, followed.value_or(particle.values[static_cast<std::size_t>(found)]));
   return true;
 }
@@ -49,9 +49,9 @@ bool write_attribute(const Self& self, const char* name, int index) {
   const Particle& particle = ring(self);
   if (!particle.family || self.world.families[particle.family].find(name) < 0) return false;
   if (lua_isfunction(self.state, index))
-    set_curve(self.world, id_of(self), curve_of(self.state, index, "particle", name));
+    set_curve(self.world, particle_id(self), curve_of(self.state, index, "particle", name));
   else
-    set_attribute(self.world, id_of(self), name, check_number(self.state, index, "particle", name, ""));
+    set_attribute(self.world, particle_id(self), name, check_number(self.state, index, "particle", name, ""));
   return true;
 }
 

@@ -19,4 +19,6 @@ Script::Script(const SceneOptions& given)
   };
 }
 
+Script& script_of(lua_State* state) { return *static_cast<Script*>(lua_touserdata(state, lua_upvalueindex(1))); }
+
 }  // namespace pantin::lua

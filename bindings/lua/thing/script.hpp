@@ -90,4 +90,7 @@ struct Script : ScriptHost, ScriptData {
   std::array<char, kind_count + 2> keys{};
 };
 
+/// Of a C function that has it as its first upvalue.
+Script& script_of(lua_State* state);
+
 }  // namespace pantin::lua

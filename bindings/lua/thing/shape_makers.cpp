@@ -10,8 +10,6 @@
 namespace pantin::lua {
 namespace {
 
-Script& script_of(lua_State* state) { return *static_cast<Script*>(lua_touserdata(state, lua_upvalueindex(1))); }
-
 /// A number, a vec, a structure or a list, and no table of options.
 bool is_by_position(lua_State* state, int index) {
   const int type = lua_type(state, index);

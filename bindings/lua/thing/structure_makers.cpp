@@ -20,8 +20,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
 
-Script& script_of(lua_State* state) { return *static_cast<Script*>(lua_touserdata(state, lua_upvalueindex(1))); }
-
 int push_made(lua_State* state, Structure structure) {
   push_structure(state, script_of(state), std::move(structure));
   return 1;
@@ -51,7 +49,7 @@ int prism(lua_State* state) {
   return push_made(state, shapes::prism(whole(o, "sides", 6), length(o, "edge"), length(o, "height")));
 }
 
-int polygon(lua_State* state) {
+int regular_polygon(lua_State* state) {
   const Options o(state, 1, "polygon", {"sides", "edge"});
   return push_made(state, shapes::polygon(whole(o, "sides", 6), length(o, "edge")));
 }
@@ -193,7 +191,7 @@ int molecule(lua_State* state) {
   return push_made(state, scaled(std::move(read), vec(scale, scale, scale)));
 }
 
-int mesh(lua_State* state) {
+int mesh_from_file(lua_State* state) {
   const std::string name = check_text(state, 1, "mesh", "argument 1, the file,");
   const Options o(state, 2, "mesh", {"scale"});
   return push_made(state, mesh_of_file(state, script_of(state), name, o.number("scale", "").value_or(1.0)));
@@ -219,7 +217,7 @@ std::vector<Method> make_structure_makers() {
       {"icosahedron", guard<icosahedron>, edge, "Structure", "Twenty triangles.", "local i = structure.icosahedron()"},
       {"prism", guard<prism>, "options?: PrismOptions", "Structure", "Two regular polygons, one above the other.",
        "local p = structure.prism { sides = 8, height = 0.2 }"},
-      {"polygon", guard<polygon>, "options?: PolygonOptions", "Structure", "One regular face.",
+      {"polygon", guard<regular_polygon>, "options?: PolygonOptions", "Structure", "One regular face.",
        "local hexagon = structure.polygon { sides = 6 }"},
       {"rod", guard<rod>, "options?: PiecesOptions", "Structure", "A line along x.",
        "local chain = structure.rod { length = 5, pieces = 20 }"},
@@ -243,7 +241,7 @@ std::vector<Method> make_structure_makers() {
        "Atoms, bonds and flat rings of a .xyz, .sdf, .mol, .pdb, .cif or .mmcif file in the scene's folder or "
        "assets/molecules.",
        "local ball = structure.molecule(\"c60.xyz\", { scale = 0.1 })"},
-      {"mesh", guard<mesh>, "file: string, options?: MeshFileOptions", "Structure",
+      {"mesh", guard<mesh_from_file>, "file: string, options?: MeshFileOptions", "Structure",
        "Vertices and faces of a Wavefront .obj file in the scene's folder or assets/meshes; a notice tells of holes.",
        "scene:ground { shape = shape.mesh(structure.mesh(\"bowl.obj\", { scale = 0.5 })), at = vec(0, -9, 0) }"},
       {"new", guard<make_new>, "parts: StructureParts", "Structure",
