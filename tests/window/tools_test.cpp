@@ -356,7 +356,7 @@ TEST_CASE("a wheel is hinged to the body it is made on, and a motor turns it unt
   CHECK_THAT(bench.said.back(), Contains("a motor turns it by"));
   CHECK(bench.world.constraints.size() == 2);
   for (int i = 0; i < 30; i++) step(bench.world);
-  CHECK(bench.world.motion_of(wheel).angular[2] < 0.0);
+  CHECK(angular_velocity(bench.world.motion_of(wheel))[2] < 0.0);
   bench.click(bench.seen(bench.world.motion_of(wheel).x + vec(0.3, 0.1, 0)));
   CHECK(bench.world.constraints.size() == 1);
   bench.choose(ToolKind::spin, 1);
