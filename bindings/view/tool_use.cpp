@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "choreography/commands.hpp"
+#include "contacts/find.hpp"
 #include "edit/assemble.hpp"
 #include "structures/polyhedra.hpp"
 #include "view/draw_list.hpp"
@@ -115,6 +116,17 @@ Vec3 half_of_box(Vec3 way, double least) {
   half[(depth + 2) % 3] = b;
   half[depth] = std::fmin(a, b);
   return half;
+}
+
+/// [m] How far a body's shapes are from a place along a direction, either way; no body: 0.
+double half_width(const World& world, BodyId body, Vec3 at, Vec3 along) {
+  double most = 0.0;
+  if (!body) return most;
+  for (const ShapeId id : world.bodies[body].shapes) {
+    const Bounds box = bounds_of(world.shapes[id].geometry, pose_of(world, world.shapes[id]));
+    most = std::max({most, dot(box.high - at, along), dot(at - box.low, along)});
+  }
+  return most;
 }
 
 /// Across the plane, or along the axis of the ground that is seen along most.
@@ -368,7 +380,8 @@ double ToolUse::make_round(const Viewport& viewport, Command& c) const {
   c.points = {zero3()};
   if (is_round) c.radius = radius;
   if (choice_.variant == wheel) {
-    c.amount = axle_of(viewport) * (0.2 * radius);
+    const double beyond = half_width(viewport.world, body_of(viewport.world), c.position, axle_of(viewport));
+    c.amount = axle_of(viewport) * std::fmax(0.2 * radius, beyond + 0.1 * radius);
     constexpr int spokes = 12;
     const Vec3 across = cross(axle_of(viewport), vec(0, 1, 0)), other = cross(across, axle_of(viewport));
     for (int i = 0; i < spokes && norm2(across) > 0.0; i++) {
