@@ -2,10 +2,10 @@
 // Writing a state into bytes and reading it again. One function, `visit`, goes through everything in both directions; of a
 // plain struct it goes through all fields (base/fields.hpp), so that none can be forgotten, and what it does not know does
 // not compile. Bits come back as they were; what was shared is shared again.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <deque>
 #include <functional>
 #include <map>
@@ -95,7 +95,7 @@ class Reader : public Visiting {
 
   void raw(void* data, std::size_t size) {
     require(size <= rest.size(), "it ends too early");
-    std::memcpy(data, rest.data(), size);
+    std::copy_n(rest.data(), size, static_cast<char*>(data));
     rest.remove_prefix(size);
   }
   std::vector<std::shared_ptr<void>> known;  ///< shared things, in the order of their numbers
