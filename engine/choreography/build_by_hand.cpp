@@ -20,6 +20,14 @@ using namespace internal;
 
 namespace {
 
+/// A new point of a body, at a position in the world [m].
+PointId point_on(World& world, BodyId body, Vec3 position, std::string name = "") {
+  PointDef def;
+  def.at = rotate(conjugate(orientation(world, body)), position - origin(world, body));
+  def.name = std::move(name);
+  return add_point(world, body, def);
+}
+
 /// Points that a command adds to bodies; they go again unless it is done.
 class Anchors {
  public:
@@ -37,9 +45,7 @@ class Anchors {
     if (world_.points.alive(point)) return point;
     const auto* body = std::get_if<BodyId>(&thing);
     if (!body || !world_.bodies.alive(*body)) return {};
-    PointDef def;
-    def.at = rotate(conjugate(orientation(world_, *body)), position - origin(world_, *body));
-    made_.push_back(add_point(world_, *body, def));
+    made_.push_back(point_on(world_, *body, position));
     return made_.back();
   }
 
@@ -79,7 +85,7 @@ void add_points(BodyDef& def, const Command& c, std::span<const Vec3> points) {
 /// What touches has its mass by its shape; its points are anchors.
 void add_shape(const World& world, BodyDef& def, const Command& c, std::span<const Vec3> points) {
   ShapeDef& shape = def.shapes.emplace_back();
-  def.color = color_of_next(world);
+  shape.color = def.color = color_of_next(world);
   def.mass = c.mass;
   const auto add_anchor = [&](Vec3 at) { def.points.emplace_back().at = at; };
   switch (c.form) {
@@ -169,10 +175,7 @@ PointId point_meant(World& world, const Command& c, std::string name) {
   const BodyId body = body_meant(c);
   if (!body) return c.point;
   require_finite(name_of(c.kind), "position", c.position, "m");
-  PointDef def;
-  def.at = rotate(conjugate(orientation(world, body)), c.position - origin(world, body));
-  def.name = std::move(name);
-  return add_point(world, body, def);
+  return point_on(world, body, c.position, std::move(name));
 }
 
 void make_by_hand(World& world, const Command& c) {

@@ -42,6 +42,15 @@ TEST_CASE("build by hand: what is made has the mass of its shape by the usual de
   CHECK(world.motion_of(make(world, making(MadeForm::wheel, vec(6, 0, 0)))).mass == Approx(density * M_PI * 0.05));
 }
 
+TEST_CASE("build by hand: things that are made one after the other differ in colour, and their shapes are seen in it") {
+  World world;
+  const auto color_of = [&](BodyId body) { return world.shapes[world.bodies[body].shapes[0]].color; };
+  const Color first = color_of(make(world, making(MadeForm::box, zero3()))),
+              second = color_of(make(world, making(MadeForm::box, vec(3, 0, 0)))), usual = ShapeDef{}.color;
+  CHECK_FALSE(first == second);
+  CHECK_FALSE(first == usual);
+}
+
 TEST_CASE("build by hand: a rod is hinged to the places on bodies that its ends are at") {
   World world;
   const BodyId left = make(world, making(MadeForm::box, zero3())),
