@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 2;
+constexpr int format_version = 2;
 
 std::string hexadecimal(std::uint64_t value) {
   char digits[17];
@@ -249,7 +249,8 @@ FieldEdit edit_of(const Json& line) {
 }  // namespace
 
 std::string line_of(const RecordingHead& head) {
-  Json line{{"pantin", format}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
+  Json line{
+      {"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
   line["files"] = Json::object();
   for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
   return line.dump();
@@ -258,7 +259,7 @@ std::string line_of(const RecordingHead& head) {
 RecordingHead head_of(const std::string& text) {
   const Json line = Json::parse(text);
   const int found = line.at("pantin");
-  require(found == format, "it has the format ", found, ", and this program reads the format ", format);
+  require(found == format_version, "it has the format ", found, ", and this program reads the format ", format_version);
   RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
   for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
   return head;

@@ -12,7 +12,7 @@ namespace {
 
 enum PressedBy : unsigned { by_shoulder = 1, by_trigger = 2, by_stick = 4, by_a = 8 };
 constexpr double trigger_point = 0.4;
-constexpr double moved = 0.3;  // deflection from which on a stick counts as the last that moved
+constexpr double deflected = 0.3;  // deflection from which on a stick counts as the last that moved
 
 void set_bit(unsigned& bits, unsigned bit, bool on) { bits = on ? bits | bit : bits & ~bit; }
 
@@ -94,7 +94,7 @@ void Gamepads::turn(Pad& pad, int axis, double value) {
   const int side = axis == SDL_CONTROLLER_AXIS_RIGHTX || axis == SDL_CONTROLLER_AXIS_RIGHTY;
   const bool across = axis == SDL_CONTROLLER_AXIS_LEFTX || axis == SDL_CONTROLLER_AXIS_RIGHTX;
   (across ? pad.sticks[side].x : pad.sticks[side].y) = std::clamp(value, -1.0, 1.0);
-  if (std::fabs(value) > moved) pad.last = side;
+  if (std::fabs(value) > deflected) pad.last = side;
 }
 
 void Gamepads::press(Pad& pad, int button, bool down, Gestures& gestures) {

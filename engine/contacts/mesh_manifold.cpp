@@ -13,7 +13,7 @@ namespace pantin {
 namespace {
 
 /// Sine up to which a normal does not lean, and part of the cosine up to which two are the same.
-constexpr double no_lean = 1e-6, same_normal = 1e-10;
+constexpr double no_lean = 1e-6, same_face_normal = 1e-10;
 /// Parts of the reach within which points are one, and gaps are equal.
 constexpr double same_place = 1e-7, same_depth = 1e-9;
 /// Part of the reach within which one overlap is told for several triangles.
@@ -84,7 +84,7 @@ enum class Handling { stay, front, neighbour };
 Handling over_ridge(const FeatureSide& a, const MeshTriangle& t, std::size_t edge, Vec3 along,
                     const Separation& nearest) {
   const Vec3 normal = nearest.normal, over = t.over[edge];
-  if (dot(over, t.normal) >= 1.0 - same_normal)
+  if (dot(over, t.normal) >= 1.0 - same_face_normal)
     return dot(normal, t.normal) < -no_lean ? Handling::neighbour : Handling::stay;
   if (dot(normal, cross(over, along)) > no_lean) return Handling::stay;
   if (nearest.distance >= 0.0) return Handling::neighbour;
@@ -196,7 +196,8 @@ void drop_told(const OnTriangles& on, Manifold& manifold) {
     const Vec3 on_b = point.on_a - point.normal * point.gap;
     bool told = false;
     for (const ToldPoint& other : on.scratch.told)
-      told = told || (norm2(other.on_b - on_b) <= near * near && dot(other.normal, point.normal) >= 1.0 - same_normal);
+      told = told ||
+             (norm2(other.on_b - on_b) <= near * near && dot(other.normal, point.normal) >= 1.0 - same_face_normal);
     if (told) continue;
     manifold.points[kept++] = point;
     on.scratch.told.push_back({on_b, point.normal, point.gap < 0.0});
@@ -209,7 +210,7 @@ std::size_t part_plane(std::vector<TrianglePoint>& points, double near) {
   const ManifoldPoint first = points.front().point;
   const auto on_b = [](const ManifoldPoint& p) { return p.on_a - p.normal * p.gap; };
   const auto others = std::stable_partition(points.begin(), points.end(), [&](const TrianglePoint& p) {
-    return dot(p.point.normal, first.normal) < 1.0 - same_normal ||
+    return dot(p.point.normal, first.normal) < 1.0 - same_face_normal ||
            std::fabs(dot(first.normal, on_b(p.point) - on_b(first))) > near;
   });
   return static_cast<std::size_t>(others - points.begin());

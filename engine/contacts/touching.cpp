@@ -13,7 +13,7 @@ constexpr double closed = 1e-5, apart = 1e-3;  // of the size
 
 TouchPair pair_of(const Model& model, const Contact& c) { return pair_of(model, c.body_a, c.body_b, c.key.b); }
 
-bool overlaps(const Contact& sensed) { return sensed.gap <= 0.0; }
+bool senses(const Contact& sensed) { return sensed.gap <= 0.0; }
 
 /// Speed with which two near each other where a sensor is [m/s].
 double approach_of(const Model& model, const Articulates& articulates, const Contact& c) {
@@ -94,7 +94,7 @@ TouchPair pair_of(const Model& model, std::uint32_t body_a, std::int32_t body_b,
 }
 
 std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts) {
-  return contacts.watched ? contacts.touching : pairs(model, contacts, presses, overlaps);
+  return contacts.watched ? contacts.touching : pairs(model, contacts, presses, senses);
 }
 
 void watch(const Model& model, Contacts& contacts, bool watched) {
@@ -108,7 +108,7 @@ void feel(const Model& model, const Articulates& articulates, Contacts& contacts
   for (const Contact& c : contacts.list)
     if (presses(c)) add(model, c, -c.approach, contacts.felt);
   for (const Contact& c : contacts.sensed)
-    if (overlaps(c)) add(model, c, approach_of(model, articulates, c), contacts.felt);
+    if (senses(c)) add(model, c, approach_of(model, articulates, c), contacts.felt);
 }
 
 TouchChanges take_changes(const Model& model, Contacts& contacts) {

@@ -12,7 +12,7 @@ namespace pantin {
 
 namespace {
 
-const Input of_approach{Role::approach, 0, 0, {}};
+const Input approach_in{Role::approach, 0, 0, {}};
 
 Input component(Role role, int k) { return {role, 0, static_cast<std::uint8_t>(k), {}}; }
 
@@ -61,7 +61,7 @@ std::shared_ptr<const Law> with_velocity_slopes(const Law& law) {
   Expressions& g = sloped->graph;
   sloped->energy = sloped->stiffness = no_expression;
   if (law.kind == LawKind::central) {
-    sloped->force.push_back(derivative(g, law.force[0], of_approach));
+    sloped->force.push_back(derivative(g, law.force[0], approach_in));
   } else {
     const Role role = law.kind == LawKind::point ? Role::velocity : Role::relative_velocity;
     for (int by = 0; by < 3; by++)
@@ -69,7 +69,7 @@ std::shared_ptr<const Law> with_velocity_slopes(const Law& law) {
         Expr slope = derivative(g, law.force[of], component(role, by));
         if (law.kind == LawKind::pair)
           slope = g.add(
-              slope, g.multiply(derivative(g, law.force[of], of_approach), g.input(component(Role::displacement, by))));
+              slope, g.multiply(derivative(g, law.force[of], approach_in), g.input(component(Role::displacement, by))));
         sloped->force.push_back(slope);
       }
   }

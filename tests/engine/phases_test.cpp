@@ -30,19 +30,21 @@ std::vector<std::string> phases_called(const std::string& source) {
   return names;
 }
 
-/// Lines of the fenced block below the heading "The step".
-std::vector<std::string> phases_told(const std::string& readme) {
-  const std::size_t begin = readme.find("```text\n", readme.find("## The step")) + 8;
-  std::istringstream lines(readme.substr(begin, readme.find("```", begin) - begin));
+/// The first name in each row of the table below the heading "The step".
+std::vector<std::string> phases_told(const std::string& page) {
+  std::istringstream lines(page.substr(page.find("## The step")));
   std::vector<std::string> names;
-  for (std::string line; std::getline(lines, line);) names.push_back(line);
+  for (std::string line; std::getline(lines, line) && (names.empty() || line.starts_with("|"));) {
+    const std::size_t begin = line.find('`') + 1;
+    if (line.starts_with("|") && begin > 0) names.push_back(line.substr(begin, line.find('`', begin) - begin));
+  }
   return names;
 }
 
 }  // namespace
 
-TEST_CASE("phases: the step, the profiler and the README name the same ones in the same order") {
+TEST_CASE("phases: the step, the profiler and the house's page name the same ones in the same order") {
   const std::vector<std::string> names(phase_names.begin(), phase_names.end());
   CHECK(phases_called(text_of("engine/step/step.cpp")) == names);
-  CHECK(phases_told(text_of("README.md")) == names);
+  CHECK(phases_told(text_of("assets/pages/house.md")) == names);
 }

@@ -126,8 +126,8 @@ void Samples::fill(const LawFunction& law) {
     const double r = limited ? near_cutoff[k % near_cutoff.size()] * law.def.cutoff : everywhere[k % everywhere.size()];
     const Vec3 direction = somewhere(random), d = direction * (r / norm(direction));
     const Vec3 u = somewhere(random);
-    set(part(Role::distance2, 0, 0), k, dot(d, d));
-    set(part(Role::approach, 0, 0), k, dot(d, u));
+    set(part(Role::distance2, 0, 0), k, norm2(d));
+    set(part(Role::approach, 0, 0), k, pantin::dot(d, u));
     set_vec(Role::displacement, 0, k, d);
     set_vec(Role::relative_velocity, 0, k, u);
     for (int who = 0; who < law.count; who++) {

@@ -79,7 +79,8 @@ std::vector<Together> met_by(const World& world, const AnyId& id) {
 double value(const World& world, const Together& ends, const Input& input) {
   switch (input.role) {
     case Role::distance2: return norm2(apart(world, ends[0], ends[1]));
-    case Role::approach: return dot(apart(world, ends[0], ends[1]), speed(world, ends[1]) - speed(world, ends[0]));
+    case Role::approach:
+      return pantin::dot(apart(world, ends[0], ends[1]), speed(world, ends[1]) - speed(world, ends[0]));
     case Role::displacement: return apart(world, ends[0], ends[1])[input.component];
     case Role::relative_velocity: return (speed(world, ends[1]) - speed(world, ends[0]))[input.component];
     case Role::position: return place(world, ends[input.who])[input.component];

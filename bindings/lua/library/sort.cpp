@@ -11,7 +11,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr int whole = 1, less = 2, from = 3, to = 4;  // places on the stack
+constexpr int sorted = 1, less = 2, from = 3, to = 4;  // places on the stack
 
 /// Throws Error unless `<` can compare the two values at the top; Lua's own message would not name the line.
 void require_order(lua_State* state) {
@@ -51,15 +51,15 @@ void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer 
 
 /// table.sort(list[, less]): merges runs of 1, 2, 4 … elements.
 int sort(lua_State* state) {
-  luaL_checktype(state, whole, LUA_TTABLE);
+  luaL_checktype(state, sorted, LUA_TTABLE);
   if (!lua_isnoneornil(state, less)) luaL_checktype(state, less, LUA_TFUNCTION);
   lua_settop(state, less);
-  const lua_Integer count = luaL_len(state, whole);
-  luaL_argcheck(state, count < (lua_Integer{1} << 30), whole, "the list is too long");
+  const lua_Integer count = luaL_len(state, sorted);
+  luaL_argcheck(state, count < (lua_Integer{1} << 30), sorted, "the list is too long");
   lua_createtable(state, static_cast<int>(count), 0);
   lua_createtable(state, static_cast<int>(count), 0);
   for (lua_Integer i = 1; i <= count; i++) {
-    lua_geti(state, whole, i);
+    lua_geti(state, sorted, i);
     lua_rawseti(state, from, i);
   }
   Interruptible loop;
@@ -70,7 +70,7 @@ int sort(lua_State* state) {
   }
   for (lua_Integer i = 1; i <= count; i++) {
     lua_rawgeti(state, from, i);
-    lua_seti(state, whole, i);
+    lua_seti(state, sorted, i);
   }
   return 0;
 }
