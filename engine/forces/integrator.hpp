@@ -1,5 +1,5 @@
 #pragma once
-// What the integrators are, and how each divides a step; how they move things is in phases/integrators.
+// What the integrators are, and how each divides a step; how they move things is in step/drift.cpp.
 #include <span>
 #include <string>
 
