@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 #include "choreography/choreography.hpp"
 #include "forces/forces.hpp"
@@ -9,6 +10,7 @@
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -53,44 +55,45 @@ std::optional<std::string> loosely_solved(const World& world) {
 
 void print_closing(const Scene& scene, const std::string& path, double seconds) {
   const World& world = scene.world();
+  std::ostringstream told;
   char line[200];
   std::snprintf(line, sizeof line, ": %.6g s in %llu steps, %.2g s of wall time\n", world.time,
                 static_cast<unsigned long long>(world.steps), seconds);
-  std::cout << scene_name(path) << line;
+  told << scene_name(path) << line;
   std::snprintf(line, sizeof line,
                 "  energy error %.2g (worst %.2g)   largest gap %.2g m (worst %.2g m)   hash %016llx\n",
                 world.error.energy, world.worst.energy, world.error.constraint, world.worst.constraint,
                 static_cast<unsigned long long>(state_hash(world)));
-  std::cout << line;
+  told << line;
   if (world.stats.fallback_steps > 0)
-    std::cout << text("  ", world.stats.fallback_steps,
-                      " fallback steps, which only lose energy, where an articulate could not be solved\n");
-  if (const auto overlap = deep_overlap(world)) std::cout << "  " << *overlap << "\n";
-  if (const auto loosely = loosely_solved(world)) std::cout << "  " << *loosely << "\n";
+    told << text("  ", world.stats.fallback_steps,
+                 " fallback steps, which only lose energy, where an articulate could not be solved\n");
+  if (const auto overlap = deep_overlap(world)) told << "  " << *overlap << "\n";
+  if (const auto loosely = loosely_solved(world)) told << "  " << *loosely << "\n";
   if (const auto wrong = energy_gone_wrong(world))
-    std::cout << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators"
-              << try_accuracy(world) << suspects(world) << "\n";
+    told << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators" << try_accuracy(world)
+         << suspects(world) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
-    std::cout << text("  accuracy ", *world.settings.accuracy,
-                      world.settings.accuracy_per_step ? " per step took " : " per second took ", world.sub_steps.count,
-                      world.sub_steps.count == 1 ? " sub-step" : " sub-steps", " of the scene in the last step, and ",
-                      most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
+    told << text("  accuracy ", *world.settings.accuracy,
+                 world.settings.accuracy_per_step ? " per step took " : " per second took ", world.sub_steps.count,
+                 world.sub_steps.count == 1 ? " sub-step" : " sub-steps", " of the scene in the last step, and ",
+                 most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
     if (world.stats.unreached > 0)
-      std::cout << text("  it was missed in ", world.stats.unreached, world.stats.unreached == 1 ? " step" : " steps",
-                        world.stats.worst_unreached < 1.0 ? ", with an error of up to " : ", with an error of ",
-                        told_rate(world, world.stats.worst_unreached), "\n");
+      told << text("  it was missed in ", world.stats.unreached, world.stats.unreached == 1 ? " step" : " steps",
+                   world.stats.worst_unreached < 1.0 ? ", with an error of up to " : ", with an error of ",
+                   told_rate(world, world.stats.worst_unreached), "\n");
   }
   for (const TimelineEntry& event : timeline(world))
     if (event.kind == EventKind::once && event.time <= with_round_off(world.time))
       if (event.state == EventState::waiting)
-        std::cout << "  what was set for " << to_text(event.time)
-                  << " s, when the run ends, is not done: " << event.label << "\n";
+        told << "  what was set for " << to_text(event.time) << " s, when the run ends, is not done: " << event.label
+             << "\n";
   for (const Probe& probe : world.probes)
-    if (!probe.values.empty()) std::cout << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
-  for (const auto& [name, value] : scene.results()) std::cout << "  " << name << " " << show(value) << "\n";
-  for (const std::string& notice : scene.notices()) std::cout << "  " << notice << "\n";
-  std::cout << std::flush;
+    if (!probe.values.empty()) told << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
+  for (const auto& [name, value] : scene.results()) told << "  " << name << " " << show(value) << "\n";
+  for (const std::string& notice : scene.notices()) told << "  " << notice << "\n";
+  std::cout << printable(told.str()) << std::flush;
   for (const std::string& warning : scene.warnings()) say(warning);
 }
 

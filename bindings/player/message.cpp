@@ -3,9 +3,12 @@
 #include <iostream>
 
 #include "scene/errors.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 
-void say(const std::string& message) { std::cerr << (names_place(message) ? "" : "pantin: ") << message << std::endl; }
+void say(const std::string& message) {
+  std::cerr << (names_place(message) ? "" : "pantin: ") << printable(message) << std::endl;
+}
 
 }  // namespace pantin::player

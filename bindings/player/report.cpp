@@ -10,6 +10,7 @@
 #include "player/machine.hpp"
 #include "player/message.hpp"
 #include "player/output.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -46,7 +47,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   picture.write(report_picture(studied));
   json.keep();
   picture.keep();
-  std::cout << report_text(studied, ns) << std::flush;
+  std::cout << printable(report_text(studied, ns)) << std::flush;
   for (const std::string& warning : studied.warnings) say(warning);
   return 0;
 }

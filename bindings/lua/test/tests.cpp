@@ -11,6 +11,7 @@
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
 #include "scene/files.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -115,7 +116,7 @@ void run_file(const std::string& path, const SceneOptions& options, std::FILE* o
   const int failed_before = outcome.failed;
   const auto fail = [&](const std::string& place, const std::string& name, const std::string& message) {
     outcome.failed++;
-    std::fprintf(out, "FAILED %s%s%s\n  %s\n", place.c_str(), name.empty() ? "" : ": ", name.c_str(), message.c_str());
+    std::fputs(printable(text("FAILED ", place, name.empty() ? "" : ": ", name, "\n  ", message, "\n")).c_str(), out);
   };
   TestFile file(path, options);
   try {
@@ -135,7 +136,8 @@ void run_file(const std::string& path, const SceneOptions& options, std::FILE* o
       outcome.passed++;
     } catch (const std::exception& error) { fail(test.place, test.name, error.what()); }
   }
-  std::fprintf(out, "%s: %zu tests, %d failed\n", path.c_str(), file.tests.size(), outcome.failed - failed_before);
+  std::fprintf(out, "%s: %zu tests, %d failed\n", printable(path).c_str(), file.tests.size(),
+               outcome.failed - failed_before);
   std::fflush(out);
 }
 

@@ -1,9 +1,11 @@
 #include "lua/value/tostring.hpp"
 
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include "lua/vm/runtime.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -63,7 +65,7 @@ int print(lua_State* state) {
   const Showing showing(state);
   const int count = lua_gettop(state);
   for (int i = 1; i <= count; i++) {
-    const std::string_view s = push_text(state, i);
+    const std::string s = printable(push_text(state, i));
     if (i > 1) std::fputc('\t', stdout);
     std::fwrite(s.data(), 1, s.size(), stdout);
     lua_pop(state, 1);
