@@ -15,6 +15,11 @@ struct GivenUp : Error {
 /// Set by who waits, of this thread: true once it is given up; null: nobody ever will.
 inline thread_local const std::atomic<bool>* given_up = nullptr;
 
+/// Throws GivenUp.
+inline void stop_if_given_up() {
+  if (given_up && *given_up) throw GivenUp();
+}
+
 /// Counts the steps of a loop.
 class Interruptible {
  public:
@@ -23,7 +28,7 @@ class Interruptible {
     count_ += steps;
     if (count_ < often) return;
     count_ = 0;
-    if (given_up && *given_up) throw GivenUp();
+    stop_if_given_up();
   }
 
  private:

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "base/handle.hpp"
+#include "base/interruptible.hpp"
 
 namespace pantin {
 
@@ -57,7 +58,9 @@ class Store {
  public:
   using Id = Handle<Row>;
 
+  /// Throws GivenUp.
   Id add(Row row) {
+    stop_if_given_up();
     std::uint32_t slot;
     if (free_.empty()) {
       slot = static_cast<std::uint32_t>(rows_.size());

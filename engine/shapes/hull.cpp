@@ -13,6 +13,8 @@ namespace pantin {
 
 namespace {
 
+constexpr std::size_t most_points = 100000, most_corners = 10000;  // its faces and corners are compared, each with each
+
 using Loop = std::vector<std::uint32_t>;
 
 struct CloseFile {
@@ -153,7 +155,8 @@ double volume_of(const Hull& hull) {
 
 /// The largest edge of their bounds [m].
 double check_points(std::span<const Vec3> points) {
-  require(points.size() >= 4, "A hull has ", points.size(), " points; it must have 4 or more.");
+  require(points.size() >= 4 && points.size() <= most_points, "A hull has ", points.size(),
+          " points; it must have 4 or more, and no more than ", most_points, ".");
   Vec3 low = points[0], high = points[0];
   for (std::size_t i = 0; i < points.size(); i++) {
     require(finite(points[i]) && largest(points[i]) <= 1e12, "Point ", i + 1, " of a hull is (", points[i][0], ", ",
@@ -199,6 +202,8 @@ std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points) {
   std::vector<Loop> loops = qhull.loops();
   const auto hull = std::make_shared<Hull>();
   set_corners(*hull, points, loops);
+  require(hull->vertices.size() <= most_corners, "A hull has ", hull->vertices.size(),
+          " corners; it must have no more than ", most_corners, ".");
   set_faces(*hull, loops);
   const bool closed = set_edges(*hull);
   require(closed && volume_of(*hull) >= 1e-12 * extent * extent * extent, flat, extent, " m, or more.");

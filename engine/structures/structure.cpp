@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/functions.hpp"
+#include "base/interruptible.hpp"
 #include "base/near_positions.hpp"
 
 namespace pantin {
@@ -36,14 +37,19 @@ void turn_inside_out(Structure& s) {
 /// Numbers of edges by their ends.
 std::map<StructureEdge, std::uint32_t> numbers_of_edges(const Structure& s) {
   std::map<StructureEdge, std::uint32_t> numbers;
-  for (std::uint32_t e = 0; e < s.edges.size(); e++) numbers.emplace(s.edges[e], e);
+  Interruptible loop;
+  for (std::uint32_t e = 0; e < s.edges.size(); e++) {
+    loop.count();
+    numbers.emplace(s.edges[e], e);
+  }
   return numbers;
 }
 
 /// The face to the left of each directed edge; nothing where two faces go along one in the same sense.
 std::optional<std::map<StructureEdge, std::uint32_t>> faces_to_the_left(const Structure& s) {
   std::map<StructureEdge, std::uint32_t> left;
-  for (std::uint32_t f = 0; f < s.faces.size(); f++)
+  Interruptible loop;
+  for (std::uint32_t f = 0; f < s.faces.size(); loop.count(s.faces[f].size()), f++)
     for (std::size_t i = 0; i < s.faces[f].size(); i++)
       if (!left.emplace(StructureEdge{s.faces[f][i], s.faces[f][(i + 1) % s.faces[f].size()]}, f).second) return {};
   return left;
@@ -178,7 +184,9 @@ Structure subdivided(const Structure& s) {
   const auto edges = numbers_of_edges(s);
   const auto first = static_cast<std::uint32_t>(s.vertices.size());
   const auto halfway = [&](std::uint32_t a, std::uint32_t b) { return first + edges.at(edge_between(a, b)); };
+  Interruptible loop;
   for (std::uint32_t e = 0; e < s.edges.size(); e++) {
+    loop.count();
     const auto [a, b] = s.edges[e];
     fine.vertices.push_back((s.vertices[a] + s.vertices[b]) / 2.0);
     fine.edges.push_back({a, first + e});
@@ -186,6 +194,7 @@ Structure subdivided(const Structure& s) {
   }
   for (const StructureFace& face : s.faces) {
     const std::size_t n = face.size();
+    loop.count(n);
     StructureFace inner;
     for (std::size_t i = 0; i < n; i++) inner.push_back(halfway(face[i], face[(i + 1) % n]));
     const auto centre = static_cast<std::uint32_t>(fine.vertices.size());

@@ -79,6 +79,13 @@ scene:connect_within(group, 1, force.spring { stiffness = 1, length = 1 })
   const Finished slow = use(folder, {"run", "dense.lua", "--script-limit", "2"});
   CHECK(slow.code == 1);
   CHECK_THAT(slow.err, Contains("dense.lua:4: the script did not come back within 2 s"));
+  for (const char* line :
+       {"scene:build(structure.sheet { columns = 400, rows = 400 }, { as = 'panels', mass = 1 })",
+        "local s = structure.sheet { columns = 100, rows = 100 } while true do s = s:subdivide() end"}) {
+    write_file(folder / "large.lua", line);
+    CHECK_THAT(use(folder, {"run", "large.lua", "--script-limit", "0.5"}).err,
+               Contains("large.lua:1: the script did not come back within 0.5 s"));
+  }
   const Finished large = use(folder, {"run", "dense.lua", "--script-limit", "60", "--memory-limit", "100MiB"});
   CHECK(large.code == 1);
   CHECK_THAT(large.err, Contains("the scene takes more memory than it may (--memory-limit)"));

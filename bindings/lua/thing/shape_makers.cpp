@@ -95,7 +95,7 @@ std::vector<Method> make_all() {
        "A cylinder along y, or along an axis.",
        "local wheel = shape.cylinder { radius = 0.4, length = 0.1, axis = vec(0, 0, 1) }"},
       {"hull", guard<hull>, "points: vec[]|Structure|HullShapeOptions [m], options?: HullShapeOptions", "Shape",
-       "The convex hull of points, or of the vertices of a structure.",
+       "The convex hull of at most 100,000 points, or of the vertices of a structure; it may have 10,000 corners.",
        "local die = shape.hull(structure.dodecahedron { edge = 0.2 }, { friction = 0.3 })"},
       {"polygon", guard<polygon>,
        "points: vec[]|PolygonShapeOptions [m], thickness?: number [m], options?: PolygonShapeOptions", "Shape",
