@@ -57,11 +57,11 @@ class Pen {
       case ToolKind::remove: return stroke();
       case ToolKind::join: return join();
       case ToolKind::push:
-        if (!hand_.use->point()) return;
+        if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
         return text(short_number(norm(hand_.use->impulse(viewport_))) + " N s", 14.0, 10.0, color_);
       case ToolKind::spin:
-        if (!hand_.use->point()) return;
+        if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
         return text(short_number(norm(hand_.use->turn(viewport_))) + " rad/s", 14.0, 10.0, color_);
       case ToolKind::make: return made();
