@@ -119,6 +119,7 @@ class Player {
   void fail(const std::string& why);
   void save_picture();
   void save_state();
+  void save_scene();
   void open_state();
   void fill(Overlay& overlay) const;
 

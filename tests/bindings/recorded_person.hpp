@@ -69,7 +69,7 @@ class RecordedPerson {
       undo_.begin(*scene_, times_, input, "act");
       input.commands.push_back(command());
     }
-    if (chance(0.005)) do_at_once();
+    if (done_ % 211 == 0) do_at_once();
     if (!take(input)) return;
     if (chance(0.002)) go_back(false);
     if (chance(0.002)) go_back(true);
