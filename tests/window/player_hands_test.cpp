@@ -155,6 +155,78 @@ TEST_CASE("window: what was built in pauses is played again to the bit, the last
   CHECK(state_hash(replay.scene().world()) == hash);
 }
 
+TEST_CASE("window: what was built is saved as a scene by its keys, and opens as it is", "[window]") {
+  Workshop shop;
+  shop.build_cart();
+  pushed::key(SDLK_LCTRL);
+  pushed::key(SDLK_LSHIFT);
+  pushed::tap(SDLK_s);
+  pushed::key(SDLK_LSHIFT, false);
+  pushed::key(SDLK_LCTRL, false);
+  shop.frames(2);
+  REQUIRE_FALSE(shop.player->said().empty());
+  CHECK_THAT(shop.player->said().back().text, Catch::EndsWith("scene-0001.lua"));
+  const std::uint64_t built = state_hash(shop.world());
+  REQUIRE(shop.player->open(shop.folder / "scene-0001.lua"));
+  CHECK(state_hash(shop.world()) == built);
+  CHECK(shop.world().constraints.size() == 1);
+}
+
+TEST_CASE("window: a machine is copied, pasted where the pointer is, mirrored and removed, each as one act",
+          "[window]") {
+  Workshop shop;
+  shop.build_cart();
+  const std::uint64_t built = state_hash(shop.world());
+  const Projected on = shop.seen(vec(-0.7, 1.7, 0)), there = shop.seen(vec(0, 3.4, 0));
+  const auto over = [&](const Projected& at) {
+    pushed::move(at.x, at.y);
+    shop.frames(2);
+  };
+  over(on);
+  shop.with_control(SDLK_c);
+  over(there);
+  shop.with_control(SDLK_v);
+  CHECK(shop.world().bodies.size() == 4);
+  CHECK(hinges(shop.world()).size() == 2);
+  CHECK(shop.world().constraints.size() == 2);
+  shop.with_control(SDLK_z);
+  CHECK(state_hash(shop.world()) == built);
+  shop.with_control(SDLK_m);
+  REQUIRE(shop.world().bodies.size() == 4);
+  const std::vector<BodyId> bodies = shop.world().bodies.ids();
+  const auto x = [&](std::size_t i) { return static_cast<double>(shop.world().motion_of(bodies[i]).x[0]); };
+  CHECK(x(1) - x(0) == Approx(x(2) - x(3)));
+  over(shop.seen(shop.world().motion_of(bodies[2]).x + vec(0, 0.2, 0)));
+  pushed::tap(SDLK_DELETE);
+  shop.frames(2);
+  CHECK(state_hash(shop.world()) == built);
+  over(on);
+  pushed::tap(SDLK_DELETE);
+  shop.frames(2);
+  CHECK(shop.world().bodies.empty());
+  shop.with_control(SDLK_z);
+  CHECK(state_hash(shop.world()) == built);
+  CHECK(shop.world().log.empty());
+}
+
+TEST_CASE("window: with shift a box is made on the grid, which is seen", "[window]") {
+  Workshop shop;
+  shop.take(SDLK_8, 2);
+  const Projected a = shop.seen(vec(-1.02, 1.03, 0)), b = shop.seen(vec(0.97, 1.98, 0));
+  pushed::move(a.x, a.y);
+  shop.frames(30);
+  const std::vector<unsigned char> before = picture();
+  pushed::key(SDLK_LSHIFT);
+  shop.frames(2);
+  CHECK(changed(before, picture(), static_cast<int>(a.x), static_cast<int>(a.y), 40) > 40);
+  shop.drag(a.x, a.y, b.x, b.y);
+  pushed::key(SDLK_LSHIFT, false);
+  shop.frames(2);
+  REQUIRE(shop.world().bodies.size() == 1);
+  const Vec3 at = shop.world().motion_of(shop.world().bodies.ids()[0]).x;
+  CHECK(norm(at - vec(0, 1.5, 0)) < 1e-12);
+}
+
 TEST_CASE("window: what the pointer takes hold of, and where it drags it, is in the next picture", "[window]") {
   Played played(R"(
     scene.gravity = vec(0, 0, 0)
