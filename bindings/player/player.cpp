@@ -23,13 +23,6 @@ constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets
 constexpr int smooth_samples = 4;
 constexpr std::chrono::seconds complaint_shown{8};
 
-/// Whether a hand did something that only a step carries out.
-bool waits_for_step(const StepInput& input) {
-  return std::ranges::any_of(input.commands, [](const Command& c) {
-    return c.kind != Command::Kind::key && c.kind != Command::Kind::grab && c.kind != Command::Kind::release;
-  });
-}
-
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
 
 }  // namespace
@@ -129,7 +122,9 @@ void Player::take_steps(double elapsed) {
   bool one = std::exchange(single_step_, false);
   const bool over = !failure_.empty() || at_end();
   if (over) waiting_.commands.clear();  // no step is to take them
-  if (over || browser_.shown() || (paused_ && !one)) return pacing_.rest();
+  const bool rests = over || browser_.shown() || (paused_ && !one);
+  if (paused_ && !over && !one) do_at_once();
+  if (rests) return pacing_.rest();
   const World& world = scene_->world();
   int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace() * speed_);
   if (due == 0) return pacing_.end_frame(0, 0.0);
@@ -200,10 +195,7 @@ void Player::fill(Overlay& overlay) const {
   overlay.highlight = hands_.highlight() || !chosen ? hands_.highlight() : *chosen;
   mark_hands(overlay);
   status_.write(scene_->world(), pacing_, overlay.pace, paused_, overlay.status);
-  if (scene_->finished())
-    overlay.status[1] = "finished";
-  else if (paused_ && failure_.empty() && waits_for_step(waiting_))
-    overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
+  if (scene_->finished()) overlay.status[1] = "finished";
   if (recorder_) overlay.status.push_back("recording");
   if (film_)
     overlay.status.push_back(

@@ -79,6 +79,7 @@ class Player {
   void open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does);
   UndoState undo_state() const;
   void go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&));
+  void do_at_once();
   void tell(const std::string& what);
   void tell_dropped();
   void tell_tool();
@@ -118,6 +119,7 @@ class Player {
   void fail(const std::string& why);
   void save_picture();
   void save_state();
+  void save_scene();
   void open_state();
   void fill(Overlay& overlay) const;
 

@@ -1,6 +1,7 @@
 // What the player does with hands and their tools.
 #include <algorithm>
 
+#include "choreography/commands.hpp"
 #include "choreography/hands.hpp"
 #include "player/player.hpp"
 #include "view/keys.hpp"
@@ -83,6 +84,20 @@ void Player::go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&)
         scene_options_.set[p.name] = setting_text(p.value);
   }
   tell(told);
+}
+
+/// Of a paused scene nothing waits for play but what a step is needed for.
+void Player::do_at_once() {
+  std::vector<Command> now;
+  std::erase_if(waiting_.commands, [&](const Command& command) {
+    if (needs_step(command.kind)) return false;
+    now.push_back(command);
+    return true;
+  });
+  if (now.empty()) return;
+  if (recorder_) recorder_->done_at_once(now);
+  carry_out(scene_->world(), now);
+  changes_++;
 }
 
 void Player::tell(const std::string& what) {

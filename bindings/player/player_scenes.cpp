@@ -1,13 +1,16 @@
 // What the player does beside the frames: opening scenes, and what was asked for in the panels.
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <thread>
 
 #include "fields/property.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
+#include "player/saved_scene.hpp"
 #include "player/saved_state.hpp"
+#include "scene/files.hpp"
 #include "scene/interrupt.hpp"
 #include "view/keys.hpp"
 #include "view/pick.hpp"
@@ -132,6 +135,27 @@ void Player::save_state() {
   } catch (const std::exception& error) { complain(error.what()); }
 }
 
+/// Beside the script, or, of what comes with the program, where pictures and films go.
+void Player::save_scene() {
+  try {
+    require(!path_.ends_with(state_ending),
+            "a scene that goes on from a state has no script to write what was built to");
+    const auto read = reload_.files().find(path_);
+    const std::optional<std::string> source =
+        read == reload_.files().end() ? file_content(path_) : std::optional(read->second);
+    require(source.has_value(), path_, ": the scene's file cannot be read");
+    const std::string below = std::filesystem::path(path_).parent_path().string();
+    const std::string folder = below.empty() || lies_below(path_, scene_options_.home) ? "." : below;
+    const SavedScene saved =
+        player::save_scene(*scene_, path_, *source, scene_options_, free_scene_name(path_, folder));
+    wrote(saved.file);
+    for (const std::string& what : saved.left_out) complain(saved.file + " leaves out " + what);
+    for (const SceneParameter& p : scene_->parameters())
+      if (p.value != p.initial)
+        complain(text(saved.file, " is to be opened with --set ", p.name, "=", setting_text(p.value)));
+  } catch (const std::exception& error) { complain(error.what()); }
+}
+
 void Player::open_state() {
   if (saved_.empty()) return complain(text("no state was saved yet: ", key_for(KeyUse::save_state), " saves it"));
   const bool paused = paused_;
@@ -204,6 +228,7 @@ bool Player::take_key(const std::string& name) {
     case KeyUse::panel: panels_.toggle(key->which); break;
     case KeyUse::panels: panels_.hide(); break;
     case KeyUse::save_state: save_state(); break;
+    case KeyUse::save_scene: save_scene(); break;
     case KeyUse::open_state: open_state(); break;
     default: return false;
   }
@@ -269,6 +294,7 @@ void Player::fulfil(const Wishes& wishes) {
   if (wishes.picture) save_picture();
   if (wishes.film) toggle_film();
   if (wishes.save_state) save_state();
+  if (wishes.save_scene) save_scene();
   if (wishes.open_state) open_state();
   if (wishes.restart) restart();
   if (wishes.browse) browser_.show();

@@ -73,6 +73,8 @@ void Recorder::input(const StepInput& input) {
   if (!input.moves.empty() || !input.commands.empty()) write({tick_, input});
 }
 
+void Recorder::done_at_once(const std::vector<Command>& commands) { write({tick_, DoneAtOnce{commands}}); }
+
 void Recorder::stepped(const World& world) {
   tick_++;
   const double second = std::floor(world.time + 0.5 * world.settings.step);

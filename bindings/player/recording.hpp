@@ -4,6 +4,7 @@
 // that the recording stays what it was when they are changed); all others have "tick", the number of steps done before,
 // counting every step that was ever done, and one of
 //   "moves" and "commands"   the input of the coming step: hands, tools, keys, buttons (engine/world/input.hpp)
+//   "at_once"                commands that were carried out before that step, as the scene was paused
 //   "hand"                   a hand came
 //   "parameter" and "value"  a parameter was changed
 //   "edit", "field", "value" a field of a thing was written
@@ -35,6 +36,10 @@ struct RecordingHead {
   std::map<std::string, std::string> files;  ///< that the scene read, with their contents
 };
 
+/// What hands did while the scene was paused.
+struct DoneAtOnce {
+  std::vector<Command> commands;
+};
 struct HandCame {};
 struct ParameterChange {
   std::string name;
@@ -67,8 +72,8 @@ struct RecordingEnd {};
 
 struct RecordedAct {
   std::uint64_t tick = 0;  ///< steps done before
-  std::variant<StepInput, HandCame, ParameterChange, FieldEdit, StateKept, StateRestored, Restarted, FileFound, GoneOn,
-               StepFailed, StateCheck, RecordingEnd>
+  std::variant<StepInput, DoneAtOnce, HandCame, ParameterChange, FieldEdit, StateKept, StateRestored, Restarted,
+               FileFound, GoneOn, StepFailed, StateCheck, RecordingEnd>
       what;
 };
 
@@ -98,6 +103,8 @@ class Recorder {
 
   /// The input of the coming step.
   void input(const StepInput& input);
+  /// These were carried out between two steps.
+  void done_at_once(const std::vector<Command>& commands);
   /// A step was done.
   void stepped(const World& world);
   /// It ended in an error.

@@ -187,6 +187,9 @@ void write(Json& line, const StepInput& input) {
         {move.hand, json_of(move.position[0]), json_of(move.position[1]), json_of(move.position[2]), move.pressed});
   for (const Command& command : input.commands) line["commands"].push_back(json_of(command));
 }
+void write(Json& line, const DoneAtOnce& done) {
+  for (const Command& command : done.commands) line["at_once"].push_back(json_of(command));
+}
 void write(Json& line, const HandCame&) { line["hand"] = true; }
 void write(Json& line, const ParameterChange& change) {
   line["parameter"] = change.name;
@@ -219,14 +222,19 @@ void write(Json& line, const StateCheck& check) {
 }
 void write(Json& line, const RecordingEnd&) { line["end"] = true; }
 
+std::vector<Command> commands_of(const Json& list) {
+  std::vector<Command> commands;
+  for (const Json& command : list) commands.push_back(command_of(command));
+  return commands;
+}
+
 StepInput input_of(const Json& line) {
   StepInput input;
   if (line.contains("moves"))
     for (const Json& move : line["moves"])
       input.moves.push_back(
           {move.at(0), vec(number_of(move.at(1)), number_of(move.at(2)), number_of(move.at(3))), move.at(4)});
-  if (line.contains("commands"))
-    for (const Json& command : line["commands"]) input.commands.push_back(command_of(command));
+  if (line.contains("commands")) input.commands = commands_of(line["commands"]);
   return input;
 }
 
@@ -276,6 +284,8 @@ RecordedAct act_of(const std::string& text_of_line) {
   RecordedAct act{line.at("tick"), RecordingEnd{}};
   if (line.contains("moves") || line.contains("commands"))
     act.what = input_of(line);
+  else if (line.contains("at_once"))
+    act.what = DoneAtOnce{commands_of(line["at_once"])};
   else if (line.contains("hand"))
     act.what = HandCame{};
   else if (line.contains("parameter"))

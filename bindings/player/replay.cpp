@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "choreography/commands.hpp"
 #include "choreography/hands.hpp"
 #include "fields/property.hpp"
 #include "lua/scene/open.hpp"
@@ -66,6 +67,7 @@ void Replay::start() {
   failure_.clear();
   const std::uint64_t hash = state_hash(scene_->world());
   if (hashes_.empty()) hashes_.push_back(hash);
+  if (ticks() == 0) do_last();
 }
 
 void Replay::open() {
@@ -143,6 +145,7 @@ void Replay::put_back(const StateRestored& restored) {
 
 void Replay::do_act(const RecordedAct& act) {
   if (const auto* input = std::get_if<StepInput>(&act.what)) scene_->world().input = *input;
+  if (const auto* done = std::get_if<DoneAtOnce>(&act.what)) carry_out(scene_->world(), done->commands);
   if (std::holds_alternative<HandCame>(act.what)) add_hand(scene_->world());
   if (const auto* to = std::get_if<ParameterChange>(&act.what)) change(*to);
   if (const auto* edited = std::get_if<FieldEdit>(&act.what)) edit(*edited);
@@ -183,7 +186,14 @@ bool Replay::step() {
   if (!failure_.empty()) throw Error(std::exchange(failure_, {}));
   tick_++;
   compare();
+  if (tick_ >= ticks()) do_last();
   return true;
+}
+
+/// What was done after the last step, as somebody who builds while it is paused does.
+void Replay::do_last() {
+  while (next_ < recording_.acts.size() && !std::holds_alternative<StepFailed>(recording_.acts[next_].what))
+    do_act(recording_.acts[next_++]);
 }
 
 /// What a script keeps in its variables does not come back with a snapshot. Where that shows, all is done from the start, as

@@ -54,6 +54,7 @@ class Replay {
   void look_at_files(const std::string& home);
   bool act();
   void do_act(const RecordedAct& act);
+  void do_last();
   void put_back(const StateRestored& restored);
   void edit(const FieldEdit& edit);
   void find(const FileFound& file);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "view/draw_list.hpp"
+#include "view/making.hpp"
 #include "view/stroke.hpp"
 
 namespace pantin {
@@ -44,6 +45,7 @@ class Pen {
       case ToolKind::remove: return target(pick_thing(viewport_, hand_.x, hand_.y), danger);
       case ToolKind::heat: return brush(viewport_.camera.distance);
       case ToolKind::make:
+        if (hand_.use->snaps()) grid();
         if (hand_.choice.variant == 0) held(true);
         return;
       default: return held(false);
@@ -57,14 +59,16 @@ class Pen {
       case ToolKind::remove: return stroke();
       case ToolKind::join: return join();
       case ToolKind::push:
-        if (!hand_.use->point()) return;
+        if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
         return text(short_number(norm(hand_.use->impulse(viewport_))) + " N s", 14.0, 10.0, color_);
       case ToolKind::spin:
-        if (!hand_.use->point()) return;
+        if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
         return text(short_number(norm(hand_.use->turn(viewport_))) + " rad/s", 14.0, 10.0, color_);
-      case ToolKind::make: return made();
+      case ToolKind::make:
+        if (hand_.use->snaps()) grid();
+        return made();
       case ToolKind::heat:
         return brush(
             dot(hand_.use->place(viewport_, hand_.x, hand_.y) - viewport_.camera.eye(), viewport_.camera.forward()));
@@ -176,6 +180,28 @@ class Pen {
     line(from, there ? shown_place(viewport_.world, other) : hand_.use->place(viewport_, hand_.x, hand_.y), color_,
          2.5);
     if (there) ring(shown_place(viewport_.world, other), 26.0, color_);
+  }
+
+  /// Points about the cursor that what is made snaps to, across the view.
+  void grid() {
+    const double step = grid_of(viewport_);
+    const Vec3 middle = place_to_make(viewport_, hand_.x, hand_.y, true), forward = viewport_.camera.forward();
+    int depth = 0;
+    for (int i = 1; i < 3; i++)
+      if (std::fabs(forward[i]) > std::fabs(forward[depth])) depth = i;
+    constexpr int reach_of_grid = 6;
+    for (int a = -reach_of_grid; a <= reach_of_grid; a++)
+      for (int b = -reach_of_grid; b <= reach_of_grid; b++) {
+        Vec3 by = zero3();
+        by[(depth + 1) % 3] = step * a;
+        by[(depth + 2) % 3] = step * b;
+        Mark dot;
+        dot.kind = Mark::Kind::point;
+        dot.from = middle + by;
+        dot.size = a == 0 && b == 0 ? 7.0 : 3.0;
+        dot.color = faded(color_, a == 0 && b == 0 ? 0.9f : 0.5f);
+        marks_.push_back(dot);
+      }
   }
 
   void brush(double depth) {

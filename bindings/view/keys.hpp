@@ -18,6 +18,7 @@ enum class KeyUse : std::uint8_t {
   tool_before,
   tool_next,
   cut,
+  whole,
   undo,
   redo,
   pause,
@@ -35,6 +36,7 @@ enum class KeyUse : std::uint8_t {
   picture,
   film,
   save_state,
+  save_scene,
   open_state,
   help,
   leave,
@@ -46,6 +48,9 @@ enum class KeyUse : std::uint8_t {
   view
 };
 
+/// What `whole` does to a thing and all that is joined to it.
+enum class WholeUse : std::uint8_t { copy, paste, mirror, remove };
+
 /// A window in which a scene is played, or a recording of it.
 enum class KeyPlace : std::uint8_t { play, replay };
 
@@ -55,7 +60,7 @@ struct WindowKeys {
   std::vector<const char*> keys;  ///< as `Gestures::keys` has them
   const char* shown;              ///< as they are told
   std::string help;
-  std::size_t first = 0;  ///< of tools, panels and views: which the first key is for; the next is for the next
+  std::size_t first = 0;  ///< of tools, wholes, panels and views: which the first key is for; the next is for the next
   std::optional<KeyPlace> only = {};  ///< where it counts; nothing: everywhere
 };
 

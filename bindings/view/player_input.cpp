@@ -1,7 +1,9 @@
 #include "view/player_input.hpp"
 
+#include "choreography/copy_by_hand.hpp"
 #include "view/camera_moves.hpp"
 #include "view/hand_marks.hpp"
+#include "view/making.hpp"
 #include "view/stroke.hpp"
 
 namespace pantin {
@@ -40,6 +42,8 @@ Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
 void PlayerInput::reset() {
   holds_.clear();
   highlight_ = {};
+  copied_point_ = {};
+  copied_ = {};
 }
 
 void PlayerInput::let_go(const World& world, StepInput& input) {
@@ -66,6 +70,8 @@ void PlayerInput::carry_over(const std::map<std::int32_t, std::int32_t>& hands,
     hold.use.carry_over(hold.hand, counterpart(hold.use.point()));
   }
   highlight_ = counterpart(highlight_);
+  copied_point_ = counterpart(copied_point_);
+  copied_ = {};
 }
 
 PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
@@ -88,6 +94,7 @@ void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
   }
   const auto found = holds_.find(event.pointer);
   if (found == holds_.end()) return;
+  found->second.use.snap(event.shift || work.gestures.shift);
   if (event.kind == Kind::move) found->second.use.move(work.viewport, event.x, event.y, output);
   if (event.kind == Kind::release && event.button == Button::left) found->second.use.release(work.viewport, output);
 }
@@ -97,6 +104,67 @@ void PlayerInput::cut(const Work& work, double x, double y) {
   ToolUse use;
   use.press(work.viewport, {ToolKind::cut, 0}, hold_of(0).hand, x, y, output);
   use.release(work.viewport, output);
+}
+
+void PlayerInput::use_whole(const Work& work, WholeUse use) {
+  switch (use) {
+    case WholeUse::copy: return copy(work);
+    case WholeUse::paste: return paste(work, false);
+    case WholeUse::mirror: return paste(work, true);
+    case WholeUse::remove: return remove_whole(work);
+  }
+}
+
+void PlayerInput::copy(const Work& work) {
+  const auto mouse = work.gestures.pointers.find(0);
+  const Held held =
+      mouse == work.gestures.pointers.end() ? Held{} : pick_held(work.viewport, mouse->second.x, mouse->second.y);
+  if (!held) return work.actions.said.push_back("copy: there is nothing under the pointer");
+  copied_point_ = held.point;
+  copied_ = held.body;
+  const World& world = work.frame.world;
+  const AnyId thing = held.point ? AnyId(held.point) : AnyId(held.body);
+  work.actions.said.push_back(text("copied ", describe(world, thing), " with all that is joined to it: ",
+                                   key_for(KeyUse::whole, 1), " pastes it, ", key_for(KeyUse::whole, 2), " mirrored"));
+}
+
+void PlayerInput::paste(const Work& work, bool mirrored) {
+  const World& world = work.frame.world;
+  const auto mouse = work.gestures.pointers.find(0);
+  if (mouse == work.gestures.pointers.end()) return;
+  if (!world.points.alive(copied_point_) && !world.bodies.alive(copied_))
+    return work.actions.said.push_back("paste: nothing was copied, or it is gone");
+  Command c;
+  c.kind = Command::Kind::make;
+  c.name = "copy";
+  c.hand = hold_of(0).hand;
+  if (world.points.alive(copied_point_))
+    c.point = copied_point_;
+  else
+    c.thing = copied_;
+  c.position = place_to_make(work.viewport, mouse->second.x, mouse->second.y, work.gestures.shift);
+  if (mirrored) c.amount = mirror_of(work.viewport);
+  work.actions.acts.push_back(mirrored ? "mirrored paste" : "paste");
+  work.actions.said.push_back(mirrored ? "pasted mirrored" : "pasted");
+  work.frame.input.commands.push_back(c);
+}
+
+void PlayerInput::remove_whole(const Work& work) {
+  const auto mouse = work.gestures.pointers.find(0);
+  const Held held =
+      mouse == work.gestures.pointers.end() ? Held{} : pick_held(work.viewport, mouse->second.x, mouse->second.y);
+  if (!held) return work.actions.said.push_back("delete: there is nothing under the pointer");
+  Command c;
+  c.kind = Command::Kind::remove;
+  c.name = "whole";
+  c.hand = hold_of(0).hand;
+  c.point = held.point;
+  if (!held.point) c.thing = held.body;
+  const Things things = whole_of(work.frame.world, c);
+  const std::size_t count = things.bodies.size() + things.free_points.size();
+  work.actions.acts.push_back("delete");
+  work.actions.said.push_back(text("removed ", count, count == 1 ? " thing" : " things"));
+  work.frame.input.commands.push_back(c);
 }
 
 void PlayerInput::key(const Work& work, const std::string& name) {
@@ -122,6 +190,7 @@ void PlayerInput::use_key(const Work& work, KeyMeaning key) {
     case KeyUse::film: a.film = !a.film; break;
     case KeyUse::help: a.help = !a.help; break;
     case KeyUse::leave: a.quit = true; break;
+    case KeyUse::whole: use_whole(work, static_cast<WholeUse>(key.which)); break;
     case KeyUse::undo: a.undo++; break;
     case KeyUse::redo: a.redo++; break;
     case KeyUse::see_all: see_all(f.world, f.stage, static_cast<double>(f.width) / f.height, f.camera); break;
@@ -143,6 +212,7 @@ void PlayerInput::move_hands(const Work& work) {
       hold.use.cancel(output);
       continue;
     }
+    hold.use.snap(work.gestures.shift);
     hold.use.hold(work.viewport, work.frame.time, output);
     const Vec3 at = hold.use.place(work.viewport, found->second.x, found->second.y);
     work.frame.input.moves.push_back({hold.hand, at, found->second.left});
@@ -165,7 +235,8 @@ void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, 
     if (found != holds_.end() && found->second.use.active()) {
       mark_hand(viewport, {found->second.hand, id == 0, pointer.x, pointer.y, tool, &found->second.use}, marks);
     } else if (!(id == 0 && on_panel)) {
-      const ToolUse none;
+      ToolUse none;
+      none.snap(gestures.shift);
       const std::int32_t hand = found != holds_.end() ? found->second.hand : static_cast<std::int32_t>(holds_.size());
       mark_hand(viewport, {hand, id == 0, pointer.x, pointer.y, tool, &none}, marks);
     }

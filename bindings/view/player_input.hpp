@@ -73,11 +73,17 @@ class PlayerInput {
   void key(const Work& work, const std::string& name);
   void use_key(const Work& work, KeyMeaning key);
   void cut(const Work& work, double x, double y);
+  void use_whole(const Work& work, WholeUse use);
+  void copy(const Work& work);
+  void paste(const Work& work, bool mirrored);
+  void remove_whole(const Work& work);
   void move_hands(const Work& work);
 
   std::function<std::int32_t()> new_hand_;
   std::map<PointerId, Hold> holds_;
   PointId highlight_;
+  PointId copied_point_;  ///< what was copied, or null
+  BodyId copied_;         ///< the same where that has no point there
 };
 
 }  // namespace pantin

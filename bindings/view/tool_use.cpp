@@ -7,10 +7,9 @@
 #include <optional>
 
 #include "choreography/commands.hpp"
-#include "contacts/find.hpp"
 #include "edit/assemble.hpp"
-#include "structures/polyhedra.hpp"
 #include "view/draw_list.hpp"
+#include "view/making.hpp"
 #include "view/pick.hpp"
 #include "view/stroke.hpp"
 
@@ -46,95 +45,8 @@ std::string cut_story(const World& world, const std::vector<AnyId>& things) {
   return "cut " + counted(things.size(), kind_of(world, things[0], false), first);
 }
 
-/// What a usual thing of the scene weighs [kg].
-double usual_mass(const World& world) {
-  const Things all = everything(world);
-  const std::size_t count = all.bodies.size() + all.free_points.size();
-  const double mean = count > 0 ? mass(world, all) / static_cast<double>(count) : 1.0;
-  return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
-}
-
-/// A place at the height at which things are, in the plane of the world if it has one.
-std::optional<Vec3> usual_height(const World& world) {
-  const Things all = everything(world);
-  if (!all.bodies.empty()) return world.motion_of(all.bodies[0]).x;
-  if (!all.free_points.empty()) return position(world, all.free_points[0]);
-  return {};
-}
-
-enum Makes : std::size_t { rod, ball, box, wheel, tetrahedron, octahedron, dodecahedron };
 enum Joins : std::size_t { hinge };
 enum Spins : std::size_t { once, motor };
-
-std::vector<Vec3> vertices_of(std::size_t variant) {
-  switch (variant) {
-    case tetrahedron: return shapes::tetrahedron(1.0).vertices;
-    case octahedron: return shapes::octahedron(1.0).vertices;
-    case dodecahedron: return shapes::dodecahedron(1.0).vertices;
-    default: return shapes::icosahedron(1.0).vertices;
-  }
-}
-
-/// What is built by hand has numbers that can be read: to some hundredth of the unit, a power of ten [m].
-double round_step(double unit) { return std::pow(10.0, std::floor(std::log10(0.02 * unit))); }
-Vec3 rounded(Vec3 x, double step) {
-  const double per_step = std::round(1.0 / step);
-  for (int i = 0; i < 3; i++)
-    x[i] = step < 1.0 ? std::round(x[i] * per_step) / per_step : std::round(x[i] / step) * step;
-  return x;
-}
-
-/// [m] Where a pixel's line meets the plane of a world that has one.
-std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y) {
-  const int normal = viewport.world.plane.normal;
-  if (normal < 0) return {};
-  const Vec3 near = viewport.place(x, y, 1.0), far = viewport.place(x, y, 2.0);
-  const double height = usual_height(viewport.world).value_or(zero3())[normal];
-  const double depth = 1.0 + (height - near[normal]) / (far[normal] - near[normal]);
-  return std::isfinite(depth) && depth > 0.0 ? std::optional(depth) : std::nullopt;
-}
-
-/// [m] What a pixel shows of the plane, or else of that depth.
-Vec3 place_shown(const Viewport& viewport, double x, double y, double depth) {
-  return viewport.place(x, y, depth_of_plane(viewport, x, y).value_or(depth));
-}
-
-std::vector<Vec3> corners_of(Vec3 half) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; i++) corners.push_back(half * vec(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0));
-  return corners;
-}
-
-/// Half the edges of a box that is dragged from corner to corner: as deep as it is narrow.
-Vec3 half_of_box(Vec3 way, double least) {
-  Vec3 half = 0.5 * vec(std::fabs(way[0]), std::fabs(way[1]), std::fabs(way[2]));
-  int depth = 0;
-  for (int i = 1; i < 3; i++)
-    if (half[i] < half[depth]) depth = i;
-  const double a = std::fmax(half[(depth + 1) % 3], least), b = std::fmax(half[(depth + 2) % 3], least);
-  half[(depth + 1) % 3] = a;
-  half[(depth + 2) % 3] = b;
-  half[depth] = std::fmin(a, b);
-  return half;
-}
-
-/// [m] How far a body's shapes are from a place along a direction, either way; no body: 0.
-double half_width(const World& world, BodyId body, Vec3 at, Vec3 along) {
-  double most = 0.0;
-  if (!body) return most;
-  for (const ShapeId id : world.bodies[body].shapes) {
-    const Bounds box = bounds_of(world.shapes[id].geometry, pose_of(world, world.shapes[id]));
-    most = std::max({most, dot(box.high - at, along), dot(at - box.low, along)});
-  }
-  return most;
-}
-
-/// Across the plane, or along the axis of the ground that is seen along most.
-Vec3 axle_of(const Viewport& viewport) {
-  if (viewport.world.plane.flat()) return viewport.world.plane.about(vec(1, 1, 1));
-  const Vec3 along = viewport.camera.forward();
-  return std::fabs(along[0]) > std::fabs(along[2]) ? vec(1, 0, 0) : vec(0, 0, 1);
-}
 
 }  // namespace
 
@@ -300,100 +212,10 @@ Vec3 ToolUse::turn(const Viewport& viewport) const {
 }
 
 Command ToolUse::making(const Viewport& viewport) const {
-  Command c = command(Command::Kind::make);
-  const World& world = viewport.world;
-  const bool touches = !world.shapes.empty();
-  c.point = {};
-  double part = 1.0;  // of its usual size
-  if (choice_.variant == rod)
-    part = make_rod(viewport, c);
-  else if (choice_.variant == box)
-    part = make_box(viewport, c);
-  else
-    part = make_round(viewport, c);
-  if (const auto height = usual_height(world); !world.points.alive(c.point))
-    c.position = world.plane.beside(c.position, height.value_or(zero3()));
-  if (choice_.variant == rod) c.points[1] = world.plane.along(c.points[1]);
-  if (!touches) {
-    c.mass = usual_mass(world) * part;
-    c.amount = zero3();
-    return c;
-  }
-  static constexpr std::array<MadeForm, 4> forms = {MadeForm::rod, MadeForm::ball, MadeForm::box, MadeForm::wheel};
-  c.form = choice_.variant < forms.size() ? forms[choice_.variant] : MadeForm::hull;
+  Command c = made_by_drag(
+      viewport, {choice_.variant, x0_, y0_, x_, y_, is_click(), snaps_, depth_, point_, body_, start(viewport)});
+  c.hand = hand_;
   return c;
-}
-
-/// Each returns its mass by that of a usual thing.
-double ToolUse::make_rod(const Viewport& viewport, Command& c) const {
-  const World& world = viewport.world;
-  const bool touches = !world.shapes.empty();
-  const double unit = viewport.stage.unit;
-  c.position = start(viewport);
-  c.point = world.points.alive(point_) ? point_ : PointId{};
-  if (touches) c.radius = 0.05 * unit;
-  if (touches && !c.point && body_) c.thing = body_;
-  if (touches && !c.point && !body_) c.position = rounded(c.position, round_step(unit));
-  if (is_click()) {
-    c.points = {zero3(), viewport.camera.right() * unit};
-    return 1.0;
-  }
-  Vec3 to = place_shown(viewport, x_, y_, depth_);
-  const Held end = pick_held(viewport, x_, y_);
-  if (end.point && end.point != point_) {
-    c.other = end.point;
-    to = position(world, end.point);
-  } else if (touches && end.body && end.body != body_) {
-    c.other_thing = end.body;
-  } else if (touches) {
-    to = rounded(to, round_step(unit));
-  }
-  c.points = {zero3(), to - c.position};
-  return norm(c.points[1]) / unit;
-}
-
-double ToolUse::make_box(const Viewport& viewport, Command& c) const {
-  const double unit = viewport.stage.unit, step = round_step(unit);
-  const Vec3 from = place_shown(viewport, x0_, y0_, depth_);
-  const Vec3 to = is_click() ? from + 0.5 * unit * (viewport.camera.right() + viewport.camera.up())
-                             : place_shown(viewport, x_, y_, depth_);
-  const Vec3 way_to = rounded(to, step) - rounded(from, step);
-  c.position = 0.5 * (rounded(from, step) + rounded(to, step));
-  c.amount = half_of_box(way_to, step);
-  c.points = corners_of(c.amount);
-  return c.amount[0] * c.amount[1] * c.amount[2] / std::pow(0.25 * unit, 3.0);
-}
-
-double ToolUse::make_round(const Viewport& viewport, Command& c) const {
-  const double unit = viewport.stage.unit, step = round_step(unit);
-  const bool is_round = choice_.variant == ball || choice_.variant == wheel, touches = !viewport.world.shapes.empty();
-  const double usual = is_round ? 0.25 * unit : 0.5 * unit, length = is_click() ? usual : norm(way(viewport));
-  const double radius = std::fmax(touches ? rounded(vec(length, 0, 0), step)[0] : length, step);
-  c.position = viewport.place(x0_, y0_, depth_);
-  if (choice_.variant == wheel && (point_ || body_)) {
-    c.position = start(viewport);
-    c.point = viewport.world.points.alive(point_) ? point_ : PointId{};
-    if (!c.point) c.thing = body_;
-  } else if (touches) {
-    c.position = rounded(c.position, step);
-  }
-  c.points = {zero3()};
-  if (is_round) c.radius = radius;
-  if (choice_.variant == wheel) {
-    const double beyond = half_width(viewport.world, body_of(viewport.world), c.position, axle_of(viewport));
-    c.amount = axle_of(viewport) * std::fmax(0.2 * radius, beyond + 0.1 * radius);
-    constexpr int spokes = 12;
-    const Vec3 across = cross(axle_of(viewport), vec(0, 1, 0)), other = cross(across, axle_of(viewport));
-    for (int i = 0; i < spokes && norm2(across) > 0.0; i++) {
-      const double angle = 6.283185307179586 * i / spokes;
-      c.points.push_back((across * std::cos(angle) + other * std::sin(angle)) * radius);
-    }
-  } else if (!is_round) {
-    c.points = vertices_of(choice_.variant);
-    const double scale = radius / norm(c.points[0]);
-    for (Vec3& p : c.points) p *= scale;
-  }
-  return std::pow(radius / usual, 3.0);
 }
 
 Command ToolUse::command(Command::Kind kind) const {

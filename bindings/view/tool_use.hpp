@@ -30,6 +30,10 @@ class ToolUse {
   /// not null, all else ends.
   void carry_over(std::int32_t hand, PointId point);
 
+  /// Whether what it makes is on the grid.
+  void snap(bool on) { snaps_ = on; }
+  bool snaps() const { return snaps_; }
+
   bool active() const { return active_; }
   /// Holds a point by dragging it.
   bool holding() const { return active_ && choice_.kind == ToolKind::drag && (point_ || body_); }
@@ -63,15 +67,12 @@ class ToolUse {
   void remove(const Viewport& viewport, ToolOutput& output);
   void join(const Viewport& viewport, ToolOutput& output);
   void turn_or_push(const Viewport& viewport, ToolOutput& output);
-  double make_rod(const Viewport& viewport, Command& command) const;
-  double make_box(const Viewport& viewport, Command& command) const;
-  double make_round(const Viewport& viewport, Command& command) const;
   bool is_click() const;
   BodyId body_of(const World& world) const;
 
   ToolChoice choice_;
   std::int32_t hand_ = -1;
-  bool active_ = false, acted_ = false;
+  bool active_ = false, acted_ = false, snaps_ = false;
   double x0_ = 0.0, y0_ = 0.0, x_ = 0.0, y_ = 0.0;  // [px] of the press, and now
   double depth_ = 0.0;                              // [m]
   Vec3 offset_ = zero3();                           // [m] from the place under the pointer to the point

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/shortened.hpp"
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
@@ -23,18 +24,21 @@ namespace {
 /// A new point of a body, at a position in the world [m].
 PointId point_on(World& world, BodyId body, Vec3 position, std::string name = "") {
   PointDef def;
-  def.at = rotate(conjugate(orientation(world, body)), position - origin(world, body));
+  const Vec3 from = origin(world, body);
+  def.at = shortened(rotate(conjugate(orientation(world, body)), position - from),
+                     std::fmax(largest(position), largest(from)));
   def.name = std::move(name);
   return add_point(world, body, def);
 }
 
-/// Points that a command adds to bodies; they go again unless it is done.
+/// Points that a command adds to bodies; they go again unless it is done, and leave no round-off behind.
 class Anchors {
  public:
   explicit Anchors(World& world) : world_(world) {}
   ~Anchors() {
     if (done_) return;
     for (const PointId point : made_) remove_point(world_, point);
+    for (auto was = before_.rbegin(); was != before_.rend(); ++was) put_back(*was);
   }
   Anchors(const Anchors&) = delete;
   Anchors& operator=(const Anchors&) = delete;
@@ -45,31 +49,58 @@ class Anchors {
     if (world_.points.alive(point)) return point;
     const auto* body = std::get_if<BodyId>(&thing);
     if (!body || !world_.bodies.alive(*body)) return {};
+    before_.push_back({*body, world_.bodies[*body], world_.motion_of(*body)});
     made_.push_back(point_on(world_, *body, position));
     return made_.back();
   }
 
  private:
+  /// A body as it was before it got a point.
+  struct Before {
+    BodyId id;
+    Body body;
+    Motion motion;
+  };
+  void put_back(const Before& was) {
+    Body& body = world_.bodies[was.id];
+    body.centre = was.body.centre;
+    body.axes = was.body.axes;
+    body.moments = was.body.moments;
+    Motion& motion = world_.motion_of(was.id);
+    motion.x = was.motion.x;
+    motion.p = was.motion.p;
+    motion.q = was.motion.q;
+    motion.angular = was.motion.angular;
+    motion.inertia = was.motion.inertia;
+  }
+
   World& world_;
   std::vector<PointId> made_;
+  std::vector<Before> before_;
   bool done_ = false;
 };
 
+Color of_bytes(int r, int g, int b) {
+  return {static_cast<float>(r) / 255.0f, static_cast<float>(g) / 255.0f, static_cast<float>(b) / 255.0f, 1.0f};
+}
+
 Color color_of_next(const World& world) {
-  static constexpr std::array<Color, 6> colors = {{{0.89f, 0.35f, 0.25f, 1.0f},
-                                                   {0.95f, 0.70f, 0.36f, 1.0f},
-                                                   {0.18f, 0.47f, 0.72f, 1.0f},
-                                                   {0.47f, 0.65f, 0.32f, 1.0f},
-                                                   {0.55f, 0.44f, 0.71f, 1.0f},
-                                                   {0.24f, 0.62f, 0.63f, 1.0f}}};
+  static const std::array<Color, 6> colors = {of_bytes(227, 89, 64),  of_bytes(242, 179, 92),  of_bytes(46, 120, 184),
+                                              of_bytes(120, 166, 82), of_bytes(140, 112, 181), of_bytes(61, 158, 161)};
   return colors[world.bodies.size() % colors.size()];
 }
 
 std::vector<Vec3> with_ends(const World& world, const Command& c) {
   std::vector<Vec3> points = c.points;
   if (points.size() < 2) return points;
-  if (world.points.alive(c.point)) points.front() = position(world, c.point) - c.position;
-  if (world.points.alive(c.other)) points.back() = position(world, c.other) - c.position;
+  const auto from_here = [&](PointId end) {
+    const Vec3 at = position(world, end);
+    return shortened(at - c.position, std::fmax(largest(at), largest(c.position)));
+  };
+  const Vec3 last = c.position + points.back();
+  points.back() = shortened(points.back(), std::fmax(largest(last), largest(c.position)));
+  if (world.points.alive(c.point)) points.front() = from_here(c.point);
+  if (world.points.alive(c.other)) points.back() = from_here(c.other);
   return points;
 }
 
@@ -178,9 +209,11 @@ PointId point_meant(World& world, const Command& c, std::string name) {
   return point_on(world, body, c.position, std::move(name));
 }
 
-void make_by_hand(World& world, const Command& c) {
-  require(!c.points.empty(), "make: no points were given");
-  require_finite("make", "position", c.position, "m");
+void make_by_hand(World& world, const Command& given) {
+  require(!given.points.empty(), "make: no points were given");
+  require_finite("make", "position", given.position, "m");
+  Command c = given;
+  c.position = shortened(c.position, largest(c.position));
   if (c.points.size() == 1 && c.form == MadeForm::bare) {
     ParticleDef def;
     def.at = c.position + c.points[0];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "choreography/build_by_hand.hpp"
+#include "choreography/copy_by_hand.hpp"
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
@@ -101,8 +102,8 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::nail: add_nail(world, point_meant(world, c)); return;
     case Command::Kind::push: return push_by_hand(world, c);
     case Command::Kind::spin: return spin_by_hand(world, c);
-    case Command::Kind::remove: return remove(world, c.thing);
-    case Command::Kind::make: return make_by_hand(world, c);
+    case Command::Kind::remove: return c.name == "whole" ? remove_whole(world, c) : remove(world, c.thing);
+    case Command::Kind::make: return c.name == "copy" ? copy_by_hand(world, c) : make_by_hand(world, c);
     case Command::Kind::heat: return heat_by_hand(world, c);
     case Command::Kind::tie: return tie_by_hand(world, c);
     case Command::Kind::drive: return drive_by_hand(world, c);

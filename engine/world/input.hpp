@@ -67,6 +67,12 @@ inline constexpr std::array<std::string_view, 14> command_names = {"grab", "rele
                                                                    "make", "heat",    "tie",  "drive"};
 inline std::string_view name_of(Command::Kind kind) { return command_names[static_cast<std::size_t>(kind)]; }
 
+/// Whether only a step can carry it out: hands pull in steps, and scripts hear of keys in them. All else may be done between two.
+inline bool needs_step(Command::Kind kind) {
+  using Kind = Command::Kind;
+  return kind == Kind::grab || kind == Kind::release || kind == Kind::key || kind == Kind::button;
+}
+
 /// All that the outside told the world for one step; plain data, so that play can be replayed.
 struct StepInput {
   std::vector<HandMove> moves;

@@ -1,4 +1,5 @@
 -- A floor, two walls and a few things: build with the tools below. 8 makes rods, balls, boxes and wheels; 3 ties them.
+-- Space pauses, to build in peace; ctrl + shift + s saves what was built as a scene like this one.
 local space = scene:param("space", false, { help = "build in space, not in a plane" })
 
 scene.title = "Sandbox"

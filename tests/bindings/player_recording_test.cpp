@@ -328,6 +328,16 @@ TEST_CASE("recording: every command comes back as it was written") {
   CHECK((r.name == c.name && r.other_thing == c.other_thing && r.form == c.form));
 }
 
+TEST_CASE("recording: what was done between two steps comes back as that") {
+  Command c;
+  c.kind = Command::Kind::remove;
+  c.thing = BodyId{3, 2};
+  const player::RecordedAct act = player::act_of(player::line_of({12, player::DoneAtOnce{{c, c}}}));
+  const auto& done = std::get<player::DoneAtOnce>(act.what);
+  REQUIRE(done.commands.size() == 2);
+  CHECK((done.commands[1].kind == c.kind && done.commands[1].thing == c.thing));
+}
+
 TEST_CASE("recording: the program plays one again") {
   Folder folder;
   play(folder, 2);

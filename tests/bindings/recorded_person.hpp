@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "choreography/commands.hpp"
 #include "choreography/hands.hpp"
 #include "fields/property.hpp"
 #include "measure/measure.hpp"
@@ -68,9 +69,17 @@ class RecordedPerson {
       undo_.begin(*scene_, times_, input, "act");
       input.commands.push_back(command());
     }
+    if (done_ % 211 == 0) do_at_once();
     if (!take(input)) return;
     if (chance(0.002)) go_back(false);
     if (chance(0.002)) go_back(true);
+  }
+  /// As while it is paused.
+  void do_at_once() {
+    Command made = command();
+    if (needs_step(made.kind)) return;
+    recorder_->done_at_once({made});
+    carry_out(world(), std::vector{made});
   }
   /// A step in which at most a key is pressed.
   void step_alone(const std::string& key = "") {

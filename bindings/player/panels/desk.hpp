@@ -19,6 +19,7 @@ struct Wishes {
   bool browse = false, next = false, previous = false;  ///< the browser, and the scenes beside this one
   bool save_table = false;                              ///< the probes, as .csv
   bool save_state = false, open_state = false;          ///< the present one; the one that was saved last
+  bool save_scene = false;                              ///< with what was built, as Lua
   bool picture = false, film = false;                   ///< take one; begin or end one
   std::optional<FieldEdit> edit;
   std::optional<double> speed;  ///< times the scene's pace

@@ -151,6 +151,8 @@ void Panels::draw_list(Desk& desk) {
   desk.wishes.film |= item("film", KeyUse::film, 0, desk.filming, "what is seen, until it is pressed again, as .mp4");
   desk.wishes.save_state |=
       item("save", KeyUse::save_state, 0, false, "the state, as .pantin: the scene goes on from it");
+  desk.wishes.save_scene |=
+      item("save as Lua", KeyUse::save_scene, 0, false, "the script with what was built by hand, as a scene");
   desk.wishes.open_state |= item("open", KeyUse::open_state, 0, false, "the state that was saved last");
   ImGui::EndPopup();
 }
