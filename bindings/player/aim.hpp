@@ -10,16 +10,23 @@ namespace pantin::player {
 /// The camera that a scene wishes for, or one that sees the whole stage; `aspect` is width/height.
 Camera aim(const Scene& scene, const Stage& stage, double aspect);
 
-/// Moves a camera along with the thing that the scene wants it to follow, or that was chosen since.
+/// Moves a camera to where the scene wishes it when that changes, and along with the thing that the scene wants it to
+/// follow, or that was chosen since.
 class Follower {
  public:
-  void move(const Scene& scene, Camera& camera);
+  /// Over a time [s] of who watches; stage and aspect as `aim` has them.
+  void move(const Scene& scene, const Stage& stage, double aspect, double seconds, Camera& camera);
   /// Monostate: nothing at all.
   void choose(AnyId thing);
 
  private:
   std::optional<AnyId> chosen_;
-  std::optional<Vec3> last_;  ///< [m]
+  void go(const Camera& goal, double part, Camera& camera);
+  void follow(const Scene& scene, double part, Camera& camera);
+
+  std::optional<Vec3> last_;          ///< [m] where the thing was
+  std::optional<CameraWish> wished_;  ///< when it was last looked at
+  std::optional<Camera> goal_;        ///< where the camera goes, while it is not there
 };
 
 }  // namespace pantin::player

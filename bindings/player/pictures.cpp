@@ -1,6 +1,7 @@
 #include "player/pictures.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "player/marks.hpp"
 #include "view/picture.hpp"
@@ -42,7 +43,10 @@ void Pictures::draw() {
 }
 
 void Pictures::add_frames() {
-  follower_.move(scene_, camera_);
+  const double time = scene_.world().time;
+  follower_.move(scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height(),
+                 std::fmax(0.0, time - seen_) / scene_.pace(), camera_);
+  seen_ = time;
   renderer_.watch(scene_.world(), views_, scene_.pace());
   if (films_.empty()) return;
   const World& world = scene_.world();

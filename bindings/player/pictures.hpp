@@ -36,6 +36,7 @@ class Pictures {
   Renderer renderer_;
   Camera camera_;
   Follower follower_;
+  double seen_ = 0.0;  ///< [s] time of the scene when the camera was moved last
   std::vector<std::unique_ptr<Film>> films_;
   std::vector<std::uint8_t> pixels_;
   FrameClock clock_;

@@ -43,6 +43,8 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
     browser_.show();
     return;
   }
+  lasting_ = SavedFile(path_as_recorded(path_, home));
+  scene_options_.saved = lasting_.values();
   adopt(load(path_, scene_options_));
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
   if (!options_.record.empty()) begin_recording();
@@ -73,8 +75,9 @@ bool Player::frame() {
   choose();
   act(actions);
   take_steps(elapsed);
+  open_next();
   tell_dropped();
-  follower_.move(*scene_, camera_);
+  follower_.move(*scene_, renderer_.stage(), aspect(renderer_), paused_ ? 0.0 : elapsed, camera_);
   draw();
   std::this_thread::sleep_until(now + shortest_frame);
   return !over_ && !(options_.until && at_end());
@@ -147,6 +150,7 @@ void Player::step_once() {
     if (!scene_->world().failure.empty()) return fail_step(scene_->world().failure);
     if (recorder_) recorder_->stepped(scene_->world());
     times_.add(scene_->world());
+    for (const SoundCall& call : scene_->sounds()) play(call);
   } catch (const Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
     fail_step(error.what());
   }

@@ -14,12 +14,14 @@
 #include "player/panels/panels.hpp"
 #include "player/recording.hpp"
 #include "player/reload.hpp"
+#include "player/saved_values.hpp"
 #include "player/status.hpp"
 #include "player/table.hpp"
 #include "player/undo.hpp"
 #include "scene/scene.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
+#include "view/speaker.hpp"
 #include "view/steering.hpp"
 
 namespace pantin::player {
@@ -107,6 +109,8 @@ class Player {
   std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);
   void adopt(std::unique_ptr<Scene> fresh);
   void open_neighbour(int places);
+  void open_next();
+  void play(const SoundCall& call);
   void fulfil(const Wishes& wishes);
   void complain(const std::string& why);
   Desk desk();
@@ -138,6 +142,8 @@ class Player {
   PlayerInput hands_;
   Gestures gestures_;
   Steering steering_;
+  Speaker speaker_;
+  SavedFile lasting_;  ///< what the scene keeps for the next time
   Undo undo_;
   std::optional<Rebuilt> rebuilt_;  ///< the last act before all that `undo_` keeps
   std::optional<Rebuilt> unbuilt_;  ///< the same, when it was undone

@@ -12,7 +12,7 @@ void Player::begin_recording() {
 
 void Player::record(const std::string& path) {
   const auto named = [home = scene_options_.home](const std::string& file) { return path_as_recorded(file, home); };
-  RecordingHead head{program_version(), named(path_), scene_options_.set, {}};
+  RecordingHead head{program_version(), named(path_), scene_options_.set, {}, lasting_.written()};
   for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
   recorder_ = std::make_unique<Recorder>(path, std::move(head));
   reload_.on_read = [this, named](const FileRead& file) {

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "fields/property.hpp"
+#include "player/controls.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
@@ -110,9 +111,12 @@ bool Player::open(const std::string& path) {
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<Scene> fresh;
+  SavedFile lasting(path_as_recorded(path, scene_options_.home));
+  options.saved = lasting.values();
   try {
     fresh = load(path, options);
   } catch (const std::exception& error) { return complain(error.what()), false; }
+  lasting_ = std::move(lasting);
   stop_recording("another scene was opened");
   const bool first = path_.empty();
   path_ = path;
@@ -160,6 +164,16 @@ void Player::open_state() {
   if (saved_.empty()) return complain(text("no state was saved yet: ", key_for(KeyUse::save_state), " saves it"));
   const bool paused = paused_;
   if (open(saved_)) paused_ = paused;
+}
+
+/// What the scene asked for; where it cannot be opened, that is told once.
+void Player::open_next() {
+  lasting_.keep();
+  if (const std::string next = scene_->take_next(); !next.empty()) open(next);
+}
+
+void Player::play(const SoundCall& call) {
+  if (const std::string why = speaker_.play(call); !why.empty()) log(why, false);
 }
 
 void Player::open_neighbour(int places) {
@@ -237,8 +251,10 @@ bool Player::take_key(const std::string& name) {
 
 /// What the scene asked for by its name is not for the window; Esc stays.
 void Player::give_keys_to_scene() {
+  give_controls(*scene_, !browser_.shown() && !renderer_.writing(), gestures_, waiting_);
   if (browser_.shown()) return;
-  const std::vector<std::string> wanted = scene_->keys();
+  std::vector<std::string> wanted = scene_->keys();
+  for (const std::string& control : scene_->controls()) wanted.push_back(control);
   const auto for_scene = [&](const std::string& key) {
     return key != "escape" && std::ranges::find(wanted, key) != wanted.end();
   };

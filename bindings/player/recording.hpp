@@ -1,7 +1,8 @@
 #pragma once
 // Recordings: all that the outside did to a scene, before which step. A file of lines, each a JSON object. The first has
 // "pantin" (the format's number), "version" (of the program), "scene", "set" and "files" (the contents of what was read, so
-// that the recording stays what it was when they are changed); all others have "tick", the number of steps done before,
+// that the recording stays what it was when they are changed), and "saved" where the scene found values in `scene.saved`;
+// all others have "tick", the number of steps done before,
 // counting every step that was ever done, and one of
 //   "moves" and "commands"   the input of the coming step: hands, tools, keys, buttons (engine/world/input.hpp)
 //   "at_once"                commands that were carried out before that step, as the scene was paused
@@ -34,6 +35,7 @@ struct RecordingHead {
   std::string scene;                         ///< path, see `path_as_recorded`
   std::map<std::string, std::string> set;    ///< as RunOptions::set
   std::map<std::string, std::string> files;  ///< that the scene read, with their contents
+  SavedValues saved = {};                    ///< what `scene.saved` began with
 };
 
 /// What hands did while the scene was paused.

@@ -128,6 +128,7 @@ Json json_of(const Command& c) {
   if (c.mass != 0.0) json["mass"] = json_of(c.mass);
   if (c.radius != 0.0) json["radius"] = json_of(c.radius);
   if (c.energy != 0.0) json["energy"] = json_of(c.energy);
+  if (c.value != 0.0) json["value"] = json_of(c.value);
   if (!c.name.empty()) json["name"] = c.name;
   return json;
 }
@@ -173,6 +174,8 @@ Command command_of(const Json& json) {
       c.radius = number_of(value);
     else if (name == "energy")
       c.energy = number_of(value);
+    else if (name == "value")
+      c.value = number_of(value);
     else if (name == "name")
       c.name = value;
     else
@@ -261,6 +264,11 @@ std::string line_of(const RecordingHead& head) {
       {"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
   line["files"] = Json::object();
   for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
+  for (const auto& [name, value] : head.saved) {
+    Json& json = line["saved"][letters_of(name)];
+    std::visit([&](const auto& plain) { json = plain; }, value);
+    if (const auto* letters = std::get_if<std::string>(&value)) json = letters_of(*letters);
+  }
   return line.dump();
 }
 
@@ -270,6 +278,12 @@ RecordingHead head_of(const std::string& text) {
   require(found == format_version, "it has the format ", found, ", and this program reads the format ", format_version);
   RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
   for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
+  if (line.contains("saved"))
+    for (const auto& [name, json] : line.at("saved").items()) {
+      SceneValue value = value_of(json);
+      if (auto* letters = std::get_if<std::string>(&value)) *letters = bytes_of(*letters);
+      head.saved.emplace(bytes_of(name), std::move(value));
+    }
   return head;
 }
 

@@ -58,6 +58,7 @@ Replay::~Replay() = default;
 
 void Replay::start() {
   options_.set = recording_.head.set;
+  options_.saved = std::make_shared<SavedValues>(recording_.head.saved);
   contents_ = std::make_shared<const std::map<std::string, std::string>>(recording_.head.files);
   options_.forgiving = false;
   open();

@@ -74,7 +74,8 @@ bool ReplayWindow::frame() {
     if (!take_key(name)) return false;
   advance(elapsed);
   if (openings_ != replay_.openings()) adopt();
-  follower_.move(replay_.scene(), camera_);
+  follower_.move(replay_.scene(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height(),
+                 elapsed, camera_);
   Overlay shown = overlay();
   shown.windows = [this] { draw_bar(); };
   renderer_.draw(replay_.scene().world(), camera_, shown);

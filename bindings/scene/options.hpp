@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,9 @@ namespace pantin {
 
 /// Of a parameter or a result.
 using SceneValue = std::variant<double, bool, std::string>;
+
+/// What a scene keeps for the next time that it is played: plain values by name.
+using SavedValues = std::map<std::string, SceneValue>;
 
 /// A file that a scene read.
 struct FileRead {
@@ -30,8 +34,9 @@ struct SceneOptions {
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
   /// Writes a state that the script saves under a name; empty: scripts may not. Throws Error.
   std::function<void(const std::string& name, const std::string& state)> save;
-  bool changing = false;   ///< may be followed by the scene of a changed file, see `go_on_from`
-  bool forgiving = false;  ///< what `set` says that does not fit the file is left out
+  std::shared_ptr<SavedValues> saved;  ///< `scene.saved`; null: kept in memory as long as the scene
+  bool changing = false;               ///< may be followed by the scene of a changed file, see `go_on_from`
+  bool forgiving = false;              ///< what `set` says that does not fit the file is left out
 };
 
 /// What `scene:param` declared.

@@ -6,6 +6,14 @@
 #include "snapshot/snapshot.hpp"
 
 namespace pantin {
+
+bool CameraWish::operator==(const CameraWish& other) const {
+  const auto same = [](const std::optional<Vec3>& a, const std::optional<Vec3>& b) {
+    return a.has_value() == b.has_value() && (!a || norm2(*a - *b) == 0.0);
+  };
+  return same(at, other.at) && same(look_at, other.look_at) && follow == other.follow && zoom == other.zoom &&
+         ease == other.ease;
+}
 namespace {
 
 std::vector<std::string> texts(const std::vector<LogLine>& log, std::string_view kind) {

@@ -3,11 +3,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "scene/drawing.hpp"
 #include "scene/options.hpp"
+#include "scene/sound.hpp"
 #include "snapshot/carry_over.hpp"
 #include "world/world.hpp"
 
@@ -16,6 +18,10 @@ namespace pantin {
 struct CameraWish {
   std::optional<Vec3> at, look_at;  ///< [m]
   AnyId follow;
+  double zoom = 1.0;  ///< how many times nearer than from where all is seen, or than `at`
+  double ease = 0.0;  ///< [s] with which it moves to where it is wished; 0: at once
+
+  bool operator==(const CameraWish& other) const;
 };
 
 /// A state that a scene was in; what is in it only that scene knows.
@@ -49,10 +55,14 @@ class Scene {
   virtual const std::vector<SceneParameter>& parameters() const = 0;
   /// Applies a value live and returns true, or returns false: the scene must be opened again with it.
   virtual bool set_parameter(const std::string& name, const SceneValue& value) = 0;
-  virtual std::vector<std::string> keys() const = 0;            ///< that the script asked for by their names
+  virtual std::vector<std::string> keys() const = 0;                ///< that the script asked for by their names
+  virtual std::vector<std::string> controls() const { return {}; }  ///< of keys and gamepads, that the script has read
   virtual const std::vector<std::string>& buttons() const = 0;  ///< names; press one by a Command of the world's input
   virtual const std::map<std::string, SceneValue>& results() const = 0;
-  virtual const std::vector<Drawing>& drawings() const = 0;  ///< what the script drew in the last step
+  virtual const std::vector<Drawing>& drawings() const = 0;         ///< what the script drew in the last step
+  virtual std::span<const SoundCall> sounds() const { return {}; }  ///< that began in the last step
+  /// Path of the scene that it wants to be opened now, once; else empty.
+  virtual std::string take_next() { return ""; }
   /// What the world's log has of them.
   std::vector<std::string> warnings() const;
   std::vector<std::string> notices() const;

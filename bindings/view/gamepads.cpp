@@ -28,6 +28,53 @@ const char* key_of(int button) {
   }
 }
 
+/// As scene/controls.hpp has it; empty: not there.
+std::string name_of_axis(int axis) {
+  switch (axis) {
+    case SDL_CONTROLLER_AXIS_LEFTX: return "pad.left_x";
+    case SDL_CONTROLLER_AXIS_LEFTY: return "pad.left_y";
+    case SDL_CONTROLLER_AXIS_RIGHTX: return "pad.right_x";
+    case SDL_CONTROLLER_AXIS_RIGHTY: return "pad.right_y";
+    case SDL_CONTROLLER_AXIS_TRIGGERLEFT: return "pad.left_trigger";
+    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT: return "pad.right_trigger";
+    default: return "";
+  }
+}
+
+std::string name_of_button(int button) {
+  switch (button) {
+    case SDL_CONTROLLER_BUTTON_A: return "pad.a";
+    case SDL_CONTROLLER_BUTTON_B: return "pad.b";
+    case SDL_CONTROLLER_BUTTON_X: return "pad.x";
+    case SDL_CONTROLLER_BUTTON_Y: return "pad.y";
+    case SDL_CONTROLLER_BUTTON_LEFTSHOULDER: return "pad.left_shoulder";
+    case SDL_CONTROLLER_BUTTON_RIGHTSHOULDER: return "pad.right_shoulder";
+    case SDL_CONTROLLER_BUTTON_LEFTSTICK: return "pad.left_stick";
+    case SDL_CONTROLLER_BUTTON_RIGHTSTICK: return "pad.right_stick";
+    case SDL_CONTROLLER_BUTTON_START: return "pad.start";
+    case SDL_CONTROLLER_BUTTON_BACK: return "pad.back";
+    case SDL_CONTROLLER_BUTTON_DPAD_UP: return "pad.up";
+    case SDL_CONTROLLER_BUTTON_DPAD_DOWN: return "pad.down";
+    case SDL_CONTROLLER_BUTTON_DPAD_LEFT: return "pad.left";
+    case SDL_CONTROLLER_BUTTON_DPAD_RIGHT: return "pad.right";
+    default: return "";
+  }
+}
+
+constexpr double rest = 0.15;  // a stick at rest is never quite in its middle
+
+double beyond_rest(double value) {
+  return std::copysign(std::max(0.0, (std::fabs(value) - rest) / (1.0 - rest)), value);
+}
+
+void hold(auto& pad, const std::string& name, double value) {
+  if (name.empty()) return;
+  if (value == 0.0)
+    pad.held.erase(name);
+  else
+    pad.held[name] = value;
+}
+
 }  // namespace
 
 Gamepads::Gamepads() { SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER); }
@@ -44,6 +91,14 @@ std::map<PointerId, Stick> Gamepads::sticks() const {
   return all;
 }
 
+std::map<std::string, double> Gamepads::held() const {
+  std::map<std::string, double> all;
+  for (const auto& [instance, pad] : pads_)
+    for (const auto& [name, value] : pad.held)
+      if (std::fabs(value) > std::fabs(all[name])) all[name] = value;
+  return all;
+}
+
 void Gamepads::take(const SDL_Event& event, Gestures& gestures) {
   if (event.type == SDL_CONTROLLERDEVICEADDED) return add(event.cdevice.which, gestures);
   if (event.type == SDL_CONTROLLERDEVICEREMOVED) return remove(event.cdevice.which, gestures);
@@ -53,7 +108,7 @@ void Gamepads::take(const SDL_Event& event, Gestures& gestures) {
   const auto found = pads_.find(event.type == SDL_CONTROLLERAXISMOTION ? event.caxis.which : event.cbutton.which);
   if (found == pads_.end()) return;
   if (event.type == SDL_CONTROLLERAXISMOTION)
-    turn(found->second, event.caxis.axis, event.caxis.value / 32767.0);
+    turn(found->second, event.caxis.axis, std::clamp(event.caxis.value / 32767.0, -1.0, 1.0));
   else
     press(found->second, event.cbutton.button, event.type == SDL_CONTROLLERBUTTONDOWN, gestures);
 }
@@ -85,6 +140,8 @@ void Gamepads::remove(std::int32_t instance, Gestures& gestures) {
 }
 
 void Gamepads::turn(Pad& pad, int axis, double value) {
+  const bool upwards = axis == SDL_CONTROLLER_AXIS_LEFTY || axis == SDL_CONTROLLER_AXIS_RIGHTY;
+  hold(pad, name_of_axis(axis), upwards ? -beyond_rest(value) : beyond_rest(value));
   if (axis == SDL_CONTROLLER_AXIS_TRIGGERLEFT || axis == SDL_CONTROLLER_AXIS_TRIGGERRIGHT) {
     const int side = axis == SDL_CONTROLLER_AXIS_TRIGGERRIGHT;
     set_bit(pad.pressed_by[side], by_trigger, value > trigger_point);
@@ -98,6 +155,9 @@ void Gamepads::turn(Pad& pad, int axis, double value) {
 }
 
 void Gamepads::press(Pad& pad, int button, bool down, Gestures& gestures) {
+  const std::string name = name_of_button(button);
+  hold(pad, name, down);
+  if (down && std::ranges::count(gestures.of_scene, name) > 0) return;
   const auto stick = [&](int side, unsigned by) {
     set_bit(pad.pressed_by[side], by, down);
     pad.sticks[side].pressed = pad.pressed_by[side] != 0;

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <string>
 
 #include "view/gestures.hpp"
 
@@ -20,6 +21,8 @@ class Gamepads {
   /// Takes events of gamepads, and puts the keys that their other buttons stand for, and what is to be told, into gestures.
   void take(const SDL_Event& event, Gestures& gestures);
   std::map<PointerId, Stick> sticks() const;
+  /// What is held, by names of scene/controls.hpp: of all pads what is pressed most; no zeros.
+  std::map<std::string, double> held() const;
 
  private:
   struct Pad {
@@ -28,6 +31,7 @@ class Gamepads {
     Stick sticks[2];
     unsigned pressed_by[2] = {0, 0};  ///< bits of what presses a stick
     int last = 0;                     ///< which stick moved last
+    std::map<std::string, double> held;
   };
   void add(int index, Gestures& gestures);
   void remove(std::int32_t instance, Gestures& gestures);

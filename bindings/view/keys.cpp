@@ -170,8 +170,8 @@ std::span<const std::pair<std::string, std::string>> key_card(KeyPlace place) {
 std::string key_reference() {
   std::string out =
       "\n<a id=\"Keys\"></a>\n## Keys of the window\n\nA key that a scene asks for by its name, `scene:on(\"key\", "
-      "\"x\", "
-      "…)`, is the scene's; Esc never is. Of the others these are the window's, and what is left is heard by "
+      "\"x\", …)`, or has read, `scene.keys.x`, is the scene's; Esc never is. Of the others these are the window's, "
+      "and what is left is heard by "
       "`scene:on(\"key\", …)`.\n\n| | key | |\n| --- | --- | --- |\n";
   for (const WindowKeys& row : window_keys()) out += text("| ", row.group, " | ", row.shown, " | ", row.help, " |\n");
   return out;

@@ -153,6 +153,7 @@ bool Window::poll(Gestures& gestures) {
   gestures.pointers = p.pointers;
   gestures.held = p.held;
   gestures.sticks = p.gamepads->sticks();
+  gestures.pad = p.gamepads->held();
   gestures.shift = p.shift;
   gestures.control = p.control;
   gestures.width = p.width;

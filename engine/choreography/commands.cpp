@@ -91,6 +91,16 @@ void heat_by_hand(World& world, const Command& c) {
   heat(world, things, std::fmax(c.energy, -own));
 }
 
+/// A key that is let go is told.
+void control(World& world, const Command& c) {
+  require(c.value >= -1.0 && c.value <= 1.0, "control: '", c.name, "' must be from -1 to 1, got ", c.value);
+  if (c.value != 0.0) {
+    world.controls[c.name] = c.value;
+  } else if (world.controls.erase(c.name) > 0) {
+    notice(world, Notice::Kind::key_up, {}, c.name, c.hand);
+  }
+}
+
 void carry_out(World& world, const Command& c) {
   switch (c.kind) {
     case Command::Kind::grab: return grab_by_hand(world, c);
@@ -107,6 +117,7 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::heat: return heat_by_hand(world, c);
     case Command::Kind::tie: return tie_by_hand(world, c);
     case Command::Kind::drive: return drive_by_hand(world, c);
+    case Command::Kind::control: return control(world, c);
   }
 }
 

@@ -38,7 +38,8 @@ struct Command {
     make,
     heat,
     tie,
-    drive
+    drive,
+    control
   };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
@@ -58,13 +59,14 @@ struct Command {
   double mass = 0.0;       ///< [kg] make: of all; 0: by the usual density of what touches
   double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; heat: of the ball
   double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
-  std::string name;        ///< key, button; tie: "rod", "rope" or "spring"
+  double value = 0.0;      ///< control: how far it is pressed, -1 to 1; 0: let go
+  std::string name;        ///< key, button, control; tie: "rod", "rope" or "spring"
 };
 
 /// (kinds) as recordings and the log call them
-inline constexpr std::array<std::string_view, 14> command_names = {"grab", "release", "cut",  "key",  "button",
-                                                                   "join", "nail",    "push", "spin", "remove",
-                                                                   "make", "heat",    "tie",  "drive"};
+inline constexpr std::array<std::string_view, 15> command_names = {"grab", "release", "cut",  "key",   "button",
+                                                                   "join", "nail",    "push", "spin",  "remove",
+                                                                   "make", "heat",    "tie",  "drive", "control"};
 inline std::string_view name_of(Command::Kind kind) { return command_names[static_cast<std::size_t>(kind)]; }
 
 /// Whether only a step can carry it out: hands pull in steps, and scripts hear of keys in them. All else may be done between two.

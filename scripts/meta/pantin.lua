@@ -64,7 +64,7 @@ function quat_methods:inverse() end
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
----@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
+---@alias Moment "step"|"press"|"release"|"key"|"key_up"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
 ---Where a shape of a body, or a solid particle, touches another.
@@ -857,6 +857,30 @@ function Draw:text(at, text, options) end
 ---@param options? MarkOptions
 function Draw:point(at, options) end
 
+---What keys are held, by their names: `scene.keys.left`, `scene.keys.a`, `scene.keys.left_shift`. A key that a script reads is the scene's and not the window's from then on, so read it once where the file begins if that matters; Esc never is. Without a window none is held, unless a test or a recording holds it.
+---@class HeldKeys
+---@field [string] boolean whether this key is held
+local HeldKeys = {}
+
+---What is held of a gamepad: `left_x left_y right_x right_y` (-1 to 1, right and up > 0), `left_trigger right_trigger` (0 to 1); `a b x y left_shoulder right_shoulder left_stick right_stick start back up down left right` (true while held). Of several gamepads that which is pressed most counts, and with none all is at rest. What a script reads is the scene's: a stick of which it reads an axis is no hand.
+---@class Gamepad
+---@field [string] number|boolean [1] of an axis or a button
+local Gamepad = {}
+
+---Where the scene is seen from. A script may give it all at once, `scene.camera = { at = …, look_at = … }`, or change one of these at any time: the camera then goes where they say, in the time of `ease`, and between such changes it is whoever watches who moves it.
+---@class Camera
+---@field at vec? [m] where it is (default from where all is seen)
+---@field look_at vec? [m] what is in the middle (default the middle of all)
+---@field follow Thing? what it goes along with (default none); with `ease` it has it in the middle
+---@field zoom number? [1] how many times larger all is seen than from there (default `1`)
+---@field ease number? [s] in which it comes nearer by a factor of e to where it is to be (default `0`: at once)
+local Camera = {}
+
+---What lasts from one play of a scene to the next: `scene.saved.best = 12`. Numbers, booleans and strings, by names; nil takes one away, and what is not there is nil; a whole number is an integer again. The window keeps them in a file for each scene, in `pantin/saved` of `XDG_DATA_HOME` (or `~/.local/share`). Without a window they begin empty and end with the run. Restore, reset, rewind and undo leave them.
+---@class Saved
+---@field [string] number|boolean|string|nil [its own] a value of yours
+local Saved = {}
+
 ---A state of the scene, to which scene:restore goes back: the world, scene.store and the data of things; not what a script keeps in its variables.
 ---@class Snapshot
 ---@field time number [s] of the scene when it was taken (read only)
@@ -869,6 +893,8 @@ local Snapshot = {}
 ---@field pace number [1] simulated s per real s (default `1`)
 ---@field history number [s] for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)
 ---@field camera Camera where the scene is seen from (default from where all is seen)
+---@field saved Saved plain values of yours, which last from one play to the next (read only)
+---@field contact_sounds boolean|string whether what touches is heard, as hard as it strikes: as its density says (wood, rubber, glass or metal) where it is true, else as the sound of this name (default `false`)
 ---@field store table plain values of yours, which snapshots keep (default `{}`)
 ---@field gravity vec [m/s²] uniform acceleration (default `vec(0, -9.81, 0)`)
 ---@field step number [s] length of one step (default `1 / 240`)
@@ -884,6 +910,8 @@ local Snapshot = {}
 ---@field boltzmann number [J/K] k_B; temperature is in J while it is 1 (default `1`)
 ---@field hands Hand[] the mouse, fingers, sticks, and scripted hands (read only)
 ---@field draw Draw draws over the scene for one frame (read only)
+---@field keys HeldKeys keys that are held (read only)
+---@field pad Gamepad sticks and buttons of a gamepad (read only)
 local Scene = {}
 ---Makes a free particle of one point.
 ---```lua
@@ -1309,7 +1337,7 @@ function Scene:when(condition, target_or_action, action, options) end
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, or the name of a layer.
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" "key_up" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) and on("key_up", "x", action) take that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for, and of those that are let go the ones that the scene has taken. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, or the name of a layer.
 ---```lua
 ---scene:on("broke", function(thing, load, story) print(story) end)
 ---scene:on("key", "x", function() p:kick(vec(0, 1, 0)) end)
@@ -1355,6 +1383,20 @@ function Scene:result(name, value) end
 ---scene:when({ energy_below = 1 }, function() scene:finish() end)
 ---```
 function Scene:finish() end
+---Lets a sound be heard: "wood", "metal", "glass", "rubber" as if struck, "blip", "noise", or a .wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.
+---```lua
+---scene:on("touched", block, function(touch) scene:sound("wood", { volume = math.min(1, touch.speed / 5) }) end)
+---scene:on("key", "x", function() scene:sound("blip", { pitch = 2 }) end)
+---```
+---@param sound string
+---@param options? SoundOptions
+function Scene:sound(sound, options) end
+---Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the log tells it.
+---```lua
+---scene:when(function() return p.position.x > 10 end, function() scene:open("level2.lua") end)
+---```
+---@param file string
+function Scene:open(file) end
 ---The present state, kept in memory. Taking it changes nothing of the run.
 ---```lua
 ---local before = scene:snapshot()
@@ -1391,6 +1433,8 @@ function Scene:save(file) end
 ---@class OpenedScene: AnyScene
 ---@field finished boolean whether it called scene:finish() (read only)
 ---@field drawn integer lines, arrows, texts and points that it drew in the last step (read only)
+---@field sounds string[] names of the sounds that began in the last step (read only)
+---@field next string? the file that it opened by scene:open (read only)
 local OpenedScene = {}
 ---Steps on for a time.
 ---```lua
@@ -1403,6 +1447,22 @@ function OpenedScene:advance(seconds) end
 ---opened:step()
 ---```
 function OpenedScene:step() end
+---Presses a key from the next step on until it is released; or, by a name as "pad.left_x", what a gamepad has, as far as is said (-1 to 1, default 1).
+---```lua
+---opened:hold("left")
+---opened:hold("pad.left_x", -0.5)
+---```
+---@param key string
+---@param how_far? number [1]
+function OpenedScene:hold(key, how_far) end
+---Lets go of what is held.
+---```lua
+---opened:hold("space")
+---opened:advance(0.1)
+---opened:release("space")
+---```
+---@param key string
+function OpenedScene:release(key) end
 ---The present number of a probe.
 ---```lua
 ---expect(opened:read("height")):near(1, 1e-9)
@@ -1622,10 +1682,9 @@ function OpenedScene:restore(snapshot) end
 ---@field size? number [px] diameter of a point, height of letters (default `8` of a point, `14` of text)
 ---@field space? "scene"|"screen" where positions are: in m or in px (default `"scene"`)
 
----@class Camera
----@field at? vec [m] where it is (default from where all is seen)
----@field look_at? vec [m] what is in the middle (default the middle of all)
----@field follow? Thing what it goes along with (default none)
+---@class SoundOptions
+---@field volume? number [1] from 0 to 1 (default `1`)
+---@field pitch? number [1] times the usual frequency, from 1/8 to 8 (default `1`)
 
 ---@class ParamOptions
 ---@field min? number [its own] (default none)

@@ -15,6 +15,10 @@ std::unique_ptr<Scene> open(const std::string& script) {
   return lua::open_scene_text(script, "aim.lua", ".", options);
 }
 
+void move(Follower& follower, const Scene& scene, double seconds, Camera& camera) {
+  follower.move(scene, find_stage(scene.world()), 16.0 / 9.0, seconds, camera);
+}
+
 Camera aim_at(const Scene& scene) { return aim(scene, find_stage(scene.world()), 16.0 / 9.0); }
 
 double distance(Vec3 a, Vec3 b) { return norm(a - b); }
@@ -56,12 +60,12 @@ TEST_CASE("aim: the camera goes along with what it follows, and stays when that 
   Camera camera = aim_at(*scene);
   Vec3 start = camera.target;
   Follower follower;
-  follower.move(*scene, camera);
+  move(follower, *scene, 0.0, camera);
   for (int i = 0; i < 120; i++) scene->step();
-  follower.move(*scene, camera);
+  move(follower, *scene, 0.0, camera);
   CHECK(distance(camera.target, start + vec(1, 0, 0)) < 1e-9);
   for (int i = 0; i < 240; i++) scene->step();
-  follower.move(*scene, camera);
+  move(follower, *scene, 0.0, camera);
   CHECK(distance(camera.target, start + vec(1, 0, 0)) < 1e-9);
 }
 
@@ -76,13 +80,48 @@ TEST_CASE("aim: what was chosen is followed in place of what the scene wants, an
   Follower follower;
   follower.choose(scene->world().particles.ids()[1]);
   const auto second = [&] {
-    follower.move(*scene, camera);
+    move(follower, *scene, 0.0, camera);
     for (int i = 0; i < 240; i++) scene->step();
-    follower.move(*scene, camera);
+    move(follower, *scene, 0.0, camera);
   };
   second();
   CHECK(distance(camera.target, start + vec(0, 3, 0)) < 1e-9);
   follower.choose({});
   second();
   CHECK(distance(camera.target, start + vec(0, 3, 0)) < 1e-9);
+}
+
+TEST_CASE("aim: a camera that a script moves is there at once, or with ease") {
+  auto scene = open(R"(
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0), ease = 0.5 }
+    scene:at(0, function() scene.camera.at, scene.camera.look_at = vec(5, 0, 10), vec(5, 0, 0) end)
+    scene:at(1, function() scene.camera.ease, scene.camera.zoom = 0, 2 end))");
+  Camera camera = aim_at(*scene);
+  Follower follower;
+  move(follower, *scene, 0.0, camera);
+  CHECK(distance(camera.target, vec(0, 0, 0)) < 1e-9);
+  scene->step();
+  move(follower, *scene, 0.5, camera);
+  CHECK(camera.target[0] == Approx(5.0 * (1.0 - std::exp(-1.0))));
+  for (int i = 0; i < 20; i++) move(follower, *scene, 0.5, camera);
+  CHECK(camera.target[0] == Approx(5.0).margin(0.02));
+  camera.target = vec(1, 2, 3);  // who watches moves it between
+  move(follower, *scene, 0.5, camera);
+  CHECK(distance(camera.target, vec(1, 2, 3)) < 1e-12);
+  while (scene->world().time < 1.5) scene->step();
+  move(follower, *scene, 0.0, camera);
+  CHECK(camera.distance == Approx(5.0).margin(0.01));
+}
+
+TEST_CASE("aim: what is followed with ease comes to the middle") {
+  auto scene = open(R"(
+    scene:ground { shape = shape.box(30, 1, 30), at = vec(0, -3, 0) }
+    local p = scene:particle { at = vec(7, 0, 0) }
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { look_at = vec(0, 0, 0), ease = 0.2 }
+    scene.camera.follow = p)");
+  Camera camera = aim_at(*scene);
+  Follower follower;
+  for (int i = 0; i < 40; i++) move(follower, *scene, 0.1, camera);
+  CHECK(distance(camera.target, vec(7, 0, 0)) < 1e-6);
 }

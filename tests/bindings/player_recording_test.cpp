@@ -315,6 +315,7 @@ TEST_CASE("recording: every command comes back as it was written") {
   c.mass = 0.7;
   c.radius = 0.01;
   c.energy = -3;
+  c.value = -1.0 / 3.0;
   c.name = "ü \"quoted\"";
   input.commands = {c};
   const player::RecordedAct act = player::act_of(player::line_of({12, input}));
@@ -324,6 +325,7 @@ TEST_CASE("recording: every command comes back as it was written") {
   const Command& r = read.commands.at(0);
   CHECK((r.kind == c.kind && r.hand == 3 && r.point == c.point && r.other == c.other && r.thing == c.thing));
   CHECK((same(r.position, c.position) && same(r.amount, c.amount) && same(r.points.at(1), c.points[1])));
+  CHECK(r.value == c.value);
   CHECK((r.max_force == c.max_force && r.mass == c.mass && r.radius == c.radius && r.energy == c.energy));
   CHECK((r.name == c.name && r.other_thing == c.other_thing && r.form == c.form));
 }

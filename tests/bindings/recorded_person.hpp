@@ -187,6 +187,7 @@ class RecordedPerson {
     }
     c.radius = c.kind == Command::Kind::make ? 0.05 : 0.5;
     c.energy = 0.1;
+    c.value = c.kind == Command::Kind::control ? number() : 0.0;
     return c;
   }
   void adopt(std::unique_ptr<Scene> scene) {

@@ -193,10 +193,9 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field size? number [px] diameter of a point, height of letters (default `8` of a point, `14` of text)
 ---@field space? "scene"|"screen" where positions are: in m or in px (default `"scene"`)
 
----@class Camera
----@field at? vec [m] where it is (default from where all is seen)
----@field look_at? vec [m] what is in the middle (default the middle of all)
----@field follow? Thing what it goes along with (default none)
+---@class SoundOptions
+---@field volume? number [1] from 0 to 1 (default `1`)
+---@field pitch? number [1] times the usual frequency, from 1/8 to 8 (default `1`)
 
 ---@class ParamOptions
 ---@field min? number [its own] (default none)

@@ -77,7 +77,10 @@ const std::vector<ReferenceTasks> all = {
     {"Play and draw",
      {{"grab things by script", {"Scene:hand", "Hand:grab", "Hand:release"}},
       {"buttons, keys and parameters", {"Scene:button", "Scene:on", "Scene:param", "Keys"}},
-      {"the camera, the title and the pace", {"Scene.camera", "Scene.title", "Scene.pace"}},
+      {"keys that are held, and gamepads", {"Scene.keys", "HeldKeys", "Scene.pad", "Gamepad"}},
+      {"sounds", {"Scene:sound", "Scene.contact_sounds"}},
+      {"the next level, and a score that lasts", {"Scene:open", "Scene.saved", "Saved"}},
+      {"the camera, the title and the pace", {"Scene.camera", "Camera", "Scene.title", "Scene.pace"}},
       {"lines, arrows and text over the scene", {"Draw:line", "Draw:arrow", "Draw:text", "Draw:point"}}}},
     {"Change a scene while it runs",
      {{"cut and remove", {"Particle:cut", "Group:cut_hinges", "Group:break_connections", "AnyThing:remove"}},
@@ -118,6 +121,7 @@ const std::vector<ReferenceTasks> all = {
      {{"a test", {"test"}},
       {"open a scene and let it run", {"open", "open_text", "OpenedScene:advance", "OpenedScene:step"}},
       {"read its probes and results", {"OpenedScene:read", "OpenedScene:result"}},
+      {"hold keys", {"OpenedScene:hold", "OpenedScene:release"}},
       {"expect something", {"expect", "Expectation:near", "Expectation:below", "Expectation:fails"}}}},
 };
 

@@ -6,6 +6,7 @@
 #include "choreography/hands.hpp"
 #include "contacts/touching.hpp"
 #include "lua/scene/layers.hpp"
+#include "lua/scene/sounds.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
@@ -43,7 +44,7 @@ int cancel_subscription(lua_State* state) {
   return 0;
 }
 
-const char* const moments[] = {"step", "press", "release", "key",     "grab",    "drop",
+const char* const moments[] = {"step", "press", "release", "key",     "key_up",  "grab",  "drop",
                                "cut",  "broke", "joined",  "removed", "touched", "parted"};
 
 const char* name_of(Notice::Kind kind) {
@@ -57,6 +58,7 @@ const char* name_of(Notice::Kind kind) {
     case Notice::Kind::press: return "press";
     case Notice::Kind::release: return "release";
     case Notice::Kind::key: return "key";
+    case Notice::Kind::key_up: return "key_up";
     case Notice::Kind::touched: return "touched";
     case Notice::Kind::parted: return "parted";
     case Notice::Kind::button: break;
@@ -69,7 +71,8 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
   switch (notice.kind) {
     case Notice::Kind::press:
     case Notice::Kind::release: push_hand(state, script, notice.hand); return 1;
-    case Notice::Kind::key: lua_pushlstring(state, notice.text.data(), notice.text.size()); return 1;
+    case Notice::Kind::key:
+    case Notice::Kind::key_up: lua_pushlstring(state, notice.text.data(), notice.text.size()); return 1;
     case Notice::Kind::grab:
     case Notice::Kind::drop:
       push_thing(state, script, notice.thing);
@@ -253,7 +256,8 @@ void watch_touch(Script& script) {
     return s.function && !ended && (s.name == "touched" || s.name == "parted");
   };
   const auto& list = script.subscriptions;
-  watch(script.world, script.world.contacts, std::any_of(list.begin(), list.end(), listens));
+  const bool heard = !script.contact_sounds.empty();
+  watch(script.world, script.world.contacts, heard || std::any_of(list.begin(), list.end(), listens));
 }
 
 }  // namespace
@@ -265,9 +269,11 @@ int scene_on(lua_State* state) {
   require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
           suggestion(name, names), " Known are ", joined(names));
   if (name == "touched" || name == "parted") return subscribe_touch(state, self, name);
-  if (name != "key" || lua_type(state, 3) != LUA_TSTRING)
+  const bool of_keys = name == "key" || name == "key_up";
+  if (!of_keys || lua_type(state, 3) != LUA_TSTRING)
     return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
-  const std::string key = check_text(state, 3, "on", "argument 2, the key,");
+  std::string key = check_text(state, 3, "on", "argument 2, the key,");
+  if (name == "key_up") self.script.controls.insert(key = check_control(key));
   return subscribe(state, self.script, {0, name, check_function(state, 4, "on", "argument 3"), {}, {}, key});
 }
 
@@ -312,6 +318,7 @@ void run_behaviours(Script& script) {
       const Callback function = found->second;
       function.call();
     } else if (notice.kind == Notice::Kind::touched || notice.kind == Notice::Kind::parted) {
+      if (notice.kind == Notice::Kind::touched) sound_touch(script, notice.touch);
       tell_touch(script, notice);
     } else {
       const auto concerns = [&](const Subscription& s) { return s.key.empty() || s.key == notice.text; };

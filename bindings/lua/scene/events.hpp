@@ -6,6 +6,9 @@
 
 namespace pantin::lua {
 
+/// The name of a key, or with "pad." of what a gamepad has, as the world knows it; throws Error where there is none.
+std::string check_control(const std::string& name);
+
 /// Tells the callbacks of the script what happened in the last step, and that a step begins.
 void run_behaviours(Script& script);
 /// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.

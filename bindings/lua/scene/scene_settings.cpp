@@ -1,6 +1,7 @@
 #include "lua/scene/scene_settings.hpp"
 
 #include "lua/scene/scene_type.hpp"
+#include "lua/scene/sounds.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
@@ -17,33 +18,19 @@ double check_positive(const Self& s, int index, const char* name, const char* un
   return value;
 }
 
-void write_camera(const Self& s, int index) {
-  require(lua_istable(s.state, index), "scene: camera must be a table { at, look_at, follow }, got ",
-          kind_of_value(s.state, index));
-  const Options o(s.state, index, "scene: camera", {"at", "look_at", "follow"});
-  const auto at = o.vector("at", "m"), look_at = o.vector("look_at", "m");
-  AnyId follow;
-  if (o.has("follow")) {
-    const Ref& ref = check_thing(s.state, o.push("follow"), "scene: camera", "follow");
-    follow = ref.thing;
-    lua_pop(s.state, 1);
-  }
-  s.script.camera_at = at;
-  s.script.camera_look_at = look_at;
-  s.script.camera_follow = follow;
+void read_contact_sounds(const Self& s) {
+  const std::string& how = s.script.contact_sounds;
+  if (how.empty() || how == by_material)
+    lua_pushboolean(s.state, !how.empty());
+  else
+    lua_pushstring(s.state, how.c_str());
 }
 
-void read_camera(const Self& s) {
-  lua_newtable(s.state);
-  const auto set = [&](const char* name, const std::optional<Vec3>& v) {
-    if (!v) return;
-    push(s.state, *v);
-    lua_setfield(s.state, -2, name);
-  };
-  set("at", s.script.camera_at);
-  set("look_at", s.script.camera_look_at);
-  push_thing(s.state, s.script, s.script.camera_follow);
-  lua_setfield(s.state, -2, "follow");
+void write_contact_sounds(const Self& s, int index) {
+  if (lua_isboolean(s.state, index))
+    s.script.contact_sounds = lua_toboolean(s.state, index) ? by_material : "";
+  else
+    s.script.contact_sounds = check_sound(s.state, index, "scene", "contact_sounds");
 }
 
 }  // namespace
@@ -73,8 +60,14 @@ std::vector<Field> show_settings() {
                  " s, got ", value);
          s.script.history = value;
        }},
-      {"camera", "Camera", "", "where the scene is seen from (default from where all is seen)", read_camera,
-       write_camera},
+      {"camera", "Camera", "", "where the scene is seen from (default from where all is seen)",
+       [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::camera, 1, 1, 1)); }, write_camera},
+      {"saved", "Saved", "", "plain values of yours, which last from one play to the next",
+       [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::saved, 1, 1, 1)); }, nullptr},
+      {"contact_sounds", "boolean|string", "",
+       "whether what touches is heard, as hard as it strikes: as its density says (wood, rubber, glass or metal) where "
+       "it is true, else as the sound of this name (default `false`)",
+       read_contact_sounds, write_contact_sounds},
       {"store", "table", "", "plain values of yours, which snapshots keep (default `{}`)",
        [](const Self& s) { push_store(s.state, s.script); },
        [](const Self& s, int i) {

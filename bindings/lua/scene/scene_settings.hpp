@@ -4,7 +4,10 @@
 
 namespace pantin::lua {
 
-/// How it is shown and run: title, duration, pace, camera, store.
+/// Takes a table of what is wished of the camera.
+void write_camera(const Self& s, int index);
+
+/// How it is shown and run: title, duration, pace, camera, store, saved, contact_sounds.
 std::vector<Field> show_settings();
 
 }  // namespace pantin::lua

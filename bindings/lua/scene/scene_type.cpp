@@ -7,6 +7,7 @@
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_settings.hpp"
 #include "lua/scene/snapshot.hpp"
+#include "lua/scene/sounds.hpp"
 #include "lua/scene/touch_methods.hpp"
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/body_options.hpp"
@@ -24,6 +25,7 @@
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -80,10 +82,28 @@ int scene_result(lua_State* state) {
   return 0;
 }
 
+/// The step is done to its end first.
+int scene_open(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "open");
+  const std::string name = check_text(state, 2, "open", "argument 1, the file,");
+  const Runtime& runtime = self.script.runtime;
+  const std::string path = path_in(runtime.folder, name);
+  require(name.ends_with(".lua"), "open: argument 1, the file, must end in .lua, got '", name, "'");
+  require(stays_inside(name) && lies_below(path, runtime.folder), "open: '", name,
+          "' must be a file below the scene's folder");
+  self.script.next = path;
+  self.script.finished = true;
+  log_line(self.world, "notice", text(where(state), ": the next scene is ", name));
+  return 0;
+}
+
 int scene_finish(lua_State* state) {
   check_self(state, Kind::scene, "finish").script.finished = true;
   return 0;
 }
+
+/// Of a kind of which a scene has one.
+void push_one(const Self& s, Kind kind) { push_ref(s.state, make_ref(s.script, kind, 1, 1, 1)); }
 
 void read_hands(const Self& s) {
   lua_newtable(s.state);
@@ -229,12 +249,16 @@ std::vector<Method> telling() {
       {"on", guard<scene_on>,
        "moment: Moment, filter_or_action: string|Body|Particle|Collider|Group|Family|function, action?: function",
        "Subscription",
-       "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
+       "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" \"key_up\" (name), \"grab\" "
+       "\"drop\" "
        "(point, hand), "
        "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N] or torque [N m], story), "
        "\"removed\" (thing, "
-       "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
-       "keys are heard that the window has no use for. \"touched\" \"parted\" (Touch) are told in the step after, once "
+       "story). on(\"key\", \"x\", action) and on(\"key_up\", \"x\", action) take that key from the window, whatever "
+       "that "
+       "does with it; without a name, keys are heard that the window has no use for, and of those that are let go the "
+       "ones "
+       "that the scene has taken. \"touched\" \"parted\" (Touch) are told in the step after, once "
        "for "
        "two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a "
        "family, "
@@ -254,6 +278,17 @@ std::vector<Method> telling() {
        "scene:at(0, function() scene:result(\"gap\", (p.position - q.position):length()) end)"},
       {"finish", guard<scene_finish>, "", "", "Ends the run.",
        "scene:when({ energy_below = 1 }, function() scene:finish() end)"},
+      {"sound", guard<scene_sound>, "sound: string, options?: SoundOptions", "",
+       "Lets a sound be heard: \"wood\", \"metal\", \"glass\", \"rubber\" as if struck, \"blip\", \"noise\", or a "
+       ".wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.",
+       "scene:on(\"touched\", block, function(touch) scene:sound(\"wood\", { volume = math.min(1, touch.speed / 5) }) "
+       "end)\n"
+       "scene:on(\"key\", \"x\", function() scene:sound(\"blip\", { pitch = 2 }) end)"},
+      {"open", guard<scene_open>, "file: string", "",
+       "Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the "
+       "log "
+       "tells it.",
+       "scene:when(function() return p.position.x > 10 end, function() scene:open(\"level2.lua\") end)"},
       {"snapshot", guard<scene_snapshot>, "", "Snapshot",
        "The present state, kept in memory. Taking it changes nothing of the run.", "local before = scene:snapshot()"},
       {"restore", guard<scene_restore>, "snapshot: Snapshot", "",
@@ -281,7 +316,12 @@ Type make() {
   type.fields.insert(type.fields.begin(), of_script.begin(), of_script.end());
   type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
   type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
-                         [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::draw, 1, 1, 1)); }, nullptr});
+                         [](const Self& s) { push_one(s, Kind::draw); }, nullptr});
+  const auto once = [&](const char* name, const char* of, const char* doc, void (*read)(const Self&)) {
+    type.fields.push_back({name, of, "", doc, read, nullptr});
+  };
+  once("keys", "HeldKeys", "keys that are held", [](const Self& s) { push_one(s, Kind::held_keys); });
+  once("pad", "Gamepad", "sticks and buttons of a gamepad", [](const Self& s) { push_one(s, Kind::gamepad); });
   for (const auto& methods : {making(), touch_methods(), constraining(), forcing(), telling()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());

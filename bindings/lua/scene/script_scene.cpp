@@ -15,6 +15,7 @@ void step_scene(Script& script) {
   save_wanted(script);
   keep_start(script);
   script.drawings.clear();
+  script.sounds.clear();
   step(script.world);
   tell_unknown_layers(script);
   restore_wanted(script);

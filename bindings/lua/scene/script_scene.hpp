@@ -1,5 +1,7 @@
 #pragma once
 // A scene that is a Lua script.
+#include <utility>
+
 #include "lua/thing/script.hpp"
 #include "scene/scene.hpp"
 
@@ -17,12 +19,15 @@ class ScriptScene final : public Scene {
   const std::string& title() const override { return script_.title; }
   std::optional<double> duration() const override { return script_.duration; }
   double pace() const override { return script_.pace; }
-  CameraWish camera() const override { return {script_.camera_at, script_.camera_look_at, script_.camera_follow}; }
+  CameraWish camera() const override { return script_.camera; }
   bool finished() const override { return script_.finished; }
 
   const std::vector<SceneParameter>& parameters() const override { return script_.parameters; }
   bool set_parameter(const std::string& name, const SceneValue& value) override;
   std::vector<std::string> keys() const override;
+  std::vector<std::string> controls() const override { return {script_.controls.begin(), script_.controls.end()}; }
+  std::span<const SoundCall> sounds() const override { return script_.sounds; }
+  std::string take_next() override { return std::exchange(script_.next, ""); }
   const std::vector<std::string>& buttons() const override { return script_.buttons; }
   const std::map<std::string, SceneValue>& results() const override { return script_.results; }
   const std::vector<Drawing>& drawings() const override { return script_.drawings; }

@@ -1,6 +1,7 @@
 // A scene that a test opened.
 #include <algorithm>
 
+#include "lua/scene/events.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/script_scene.hpp"
 #include "lua/scene/snapshot.hpp"
@@ -8,6 +9,7 @@
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
+#include "scene/controls.hpp"
 #include "scene/headway.hpp"
 
 namespace pantin::lua {
@@ -34,6 +36,32 @@ int advance_opened(lua_State* state) {
     step_once(self.script);
     headway.check(self.world);
   }
+  return 0;
+}
+
+/// A key that is pressed is told, too.
+int hold_control(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "hold");
+  Command command;
+  command.kind = Command::Kind::control;
+  command.name = check_control(check_text(state, 2, "hold", "argument 1, the key,"));
+  command.value = lua_isnoneornil(state, 3) ? 1.0 : check_number(state, 3, "hold", "argument 2, how far,", "");
+  require(command.value >= -1.0 && command.value <= 1.0, "hold: argument 2, how far, must be from -1 to 1, got ",
+          command.value);
+  std::vector<Command>& commands = self.world.input.commands;
+  commands.push_back(command);
+  command.kind = Command::Kind::key;
+  command.value = 0.0;
+  if (!command.name.starts_with(pad_prefix)) commands.push_back(command);
+  return 0;
+}
+
+int release_control(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "release");
+  Command command;
+  command.kind = Command::Kind::control;
+  command.name = check_control(check_text(state, 2, "release", "argument 1, the key,"));
+  self.world.input.commands.push_back(command);
   return 0;
 }
 
@@ -75,9 +103,35 @@ Type make() {
   type.fields.push_back(
       {"drawn", "integer", "", "lines, arrows, texts and points that it drew in the last step",
        [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.script.drawings.size())); }, nullptr});
+  type.fields.push_back({"sounds", "string[]", "", "names of the sounds that began in the last step",
+                         [](const Self& s) {
+                           lua_newtable(s.state);
+                           for (std::size_t i = 0; i < s.script.sounds.size(); i++) {
+                             lua_pushstring(s.state, s.script.sounds[i].name.c_str());
+                             lua_rawseti(s.state, -2, static_cast<lua_Integer>(i + 1));
+                           }
+                         },
+                         nullptr});
+  type.fields.push_back({"next", "string?", "", "the file that it opened by scene:open",
+                         [](const Self& s) {
+                           if (s.script.next.empty())
+                             lua_pushnil(s.state);
+                           else
+                             lua_pushstring(s.state, s.script.next.c_str());
+                         },
+                         nullptr});
   type.methods = {
       {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time.", "opened:advance(0.5)"},
       {"step", guard<step_opened>, "", "", "Does one step.", "opened:step()"},
+      {"hold", guard<hold_control>, "key: string, how_far?: number [1]", "",
+       "Presses a key from the next step on until it is released; or, by a name as \"pad.left_x\", what a gamepad has, "
+       "as far as is said (-1 to 1, default 1).",
+       "opened:hold(\"left\")\n"
+       "opened:hold(\"pad.left_x\", -0.5)"},
+      {"release", guard<release_control>, "key: string", "", "Lets go of what is held.",
+       "opened:hold(\"space\")\n"
+       "opened:advance(0.1)\n"
+       "opened:release(\"space\")"},
       {"read", guard<read_probe>, "name: string", "number", "The present number of a probe.",
        "expect(opened:read(\"height\")):near(1, 1e-9)"},
       {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave.",

@@ -140,6 +140,10 @@ const Type& type_of(Kind kind) {
     case Kind::structure: return structure_type();
     case Kind::shape: return shape_type();
     case Kind::draw: return draw_type();
+    case Kind::held_keys: return held_keys_type();
+    case Kind::gamepad: return gamepad_type();
+    case Kind::camera: return camera_type();
+    case Kind::saved: return saved_type();
     case Kind::snapshot: return snapshot_type();
     default: return scene_type();
   }

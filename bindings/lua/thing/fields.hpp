@@ -106,6 +106,10 @@ const Type& subscription_type();
 const Type& structure_type();
 const Type& shape_type();
 const Type& draw_type();
+const Type& held_keys_type();
+const Type& gamepad_type();
+const Type& camera_type();
+const Type& saved_type();
 const Type& snapshot_type();
 const Type& scene_type();
 

@@ -10,6 +10,7 @@ Script::Script(const SceneOptions& given)
   world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
+  if (!options.saved) options.saved = std::make_shared<SavedValues>();
   if (given.read) runtime.reader = given.read;
   runtime.on_read = given.on_read;
   world.random = Random{world.settings.seed, 0};

@@ -15,6 +15,8 @@
 #include "lua/vm/runtime.hpp"
 #include "scene/drawing.hpp"
 #include "scene/options.hpp"
+#include "scene/scene.hpp"
+#include "scene/sound.hpp"
 #include "snapshot/carry_over.hpp"
 #include "world/world.hpp"
 
@@ -42,11 +44,13 @@ struct SpokenLayer {
 /// What a snapshot copies of a script.
 struct ScriptData {
   std::string title;
-  std::optional<double> duration;                 ///< [s]
-  double pace = 1.0;                              ///< simulated s per real s
-  std::optional<Vec3> camera_at, camera_look_at;  ///< [m]
-  AnyId camera_follow;
+  std::optional<double> duration;  ///< [s]
+  double pace = 1.0;               ///< simulated s per real s
+  CameraWish camera;
   bool finished = false;
+  std::string next;                ///< scene to be opened when the step is done, or empty
+  std::set<std::string> controls;  ///< of keys and gamepads, that were read: the scene's, not the window's
+  std::string contact_sounds;      ///< what touches is heard as: "", "by material", or a sound's name
 
   std::vector<SceneParameter> parameters;
   std::map<std::string, Callback> on_change;
@@ -54,6 +58,7 @@ struct ScriptData {
   std::map<std::string, Callback> button_functions;
   std::map<std::string, SceneValue> results;
   std::vector<Drawing> drawings;            ///< of the last step, or from before the first
+  std::vector<SoundCall> sounds;            ///< the same
   std::vector<Subscription> subscriptions;  ///< in the order of asking
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
   LawsAtWork laws;

@@ -33,6 +33,10 @@ std::array<std::string, kind_count> words() {
   set(Kind::structure, "a structure");
   set(Kind::shape, "a shape");
   set(Kind::draw, "scene.draw");
+  set(Kind::held_keys, "scene.keys");
+  set(Kind::gamepad, "scene.pad");
+  set(Kind::camera, "scene.camera");
+  set(Kind::saved, "scene.saved");
   set(Kind::snapshot, "a snapshot");
   set(Kind::scene, "a scene");
   return all;
@@ -82,6 +86,10 @@ std::string describe(const Ref& ref) {
     case Kind::structure: return "structure";
     case Kind::shape: return "shape";
     case Kind::draw: return "scene.draw";
+    case Kind::held_keys: return "scene.keys";
+    case Kind::gamepad: return "scene.pad";
+    case Kind::camera: return "scene.camera";
+    case Kind::saved: return "scene.saved";
     case Kind::snapshot: return "snapshot";
     case Kind::scene: return "scene";
     default: return describe(*ref.world, ref.thing);

@@ -29,6 +29,10 @@ enum class Kind : std::uint32_t {
   structure,
   shape,
   draw,
+  held_keys,
+  gamepad,
+  camera,
+  saved,
   snapshot,
   scene
 };

@@ -1,0 +1,160 @@
+-- Keys and gamepads that are held, and what games need besides: sounds, levels, what is saved.
+test("a key is held from the next step on until it is released", function()
+  local scene = open_text [[
+    local held, down, up = 0, 0, 0
+    scene:on("key", "left", function() down = down + 1 end)
+    scene:on("key_up", "left", function() up = up + 1 end)
+    scene:on("step", function()
+      if scene.keys.left then held = held + 1 end
+      scene:result("held", held) scene:result("down", down) scene:result("up", up)
+    end)
+  ]]
+  for _ = 1, 3 do scene:step() end
+  expect(scene:result("held")):equal(0)
+  scene:hold("left")
+  for _ = 1, 5 do scene:step() end
+  scene:release("left")
+  for _ = 1, 5 do scene:step() end
+  expect(scene:result("held")):equal(5)
+  expect(scene:result("down")):equal(1)
+  expect(scene:result("up")):equal(1)
+end)
+
+test("words of a key's name may be joined, and a wrong name says what there is", function()
+  local scene = open_text [[
+    scene:on("step", function() scene:result("fast", scene.keys.left_shift and scene.keys["keypad 4"]) end)
+  ]]
+  scene:hold("left shift")
+  scene:hold("keypad_4")
+  scene:step()
+  expect(scene:result("fast")):is_true()
+  expect(function() open_text [[print(scene.keys.lefft)]] end):fails("Did you mean 'left'?")
+  expect(function() open_text [[print(scene.keys.A)]] end):fails("there is no key 'A'")
+  expect(function() open_text [[scene.keys.left = true]] end):fails("keys: cannot write unknown field 'left'")
+  expect(function() open_text [[print(scene.pad.left_z)]] end):fails("Did you mean 'left_x'?")
+  expect(function() scene:hold("pad.left_x", 2) end):fails("must be from -1 to 1, got 2")
+end)
+
+test("a gamepad's axes and buttons are at rest until they are held", function()
+  local scene = open_text [[
+    scene:on("step", function()
+      scene:result("x", scene.pad.left_x) scene:result("a", scene.pad.a) scene:result("gas", scene.pad.right_trigger)
+    end)
+  ]]
+  scene:step()
+  expect(scene:result("x")):equal(0)
+  expect(scene:result("a")):equal(false)
+  scene:hold("pad.left_x", -0.25)
+  scene:hold("pad.a")
+  scene:step()
+  expect(scene:result("x")):equal(-0.25)
+  expect(scene:result("a")):is_true()
+  expect(scene:result("gas")):equal(0)
+  scene:release("pad.left_x")
+  scene:step()
+  expect(scene:result("x")):equal(0)
+end)
+
+test("what is held goes back with the state", function()
+  local scene = open_text [[
+    scene:on("step", function() scene:result("up", scene.keys.up) end)
+  ]]
+  scene:hold("up")
+  scene:step()
+  local before = scene:snapshot()
+  scene:release("up")
+  scene:step()
+  expect(scene:result("up")):equal(false)
+  scene:restore(before)
+  scene:step()
+  expect(scene:result("up")):is_true()
+end)
+
+test("a law cannot read keys", function()
+  expect(function()
+    open_text [[scene:field(scene, force.point { force = function(p) return vec(scene.keys.left and 1 or 0, 0, 0) end })]]
+  end):fails("a law cannot read what is held of keys")
+end)
+
+test("sounds begin in a step, and are gone in the next", function()
+  local scene = open_text [[
+    scene:at(0, function() scene:sound("wood") scene:sound("blip", { volume = 0.5, pitch = 2 }) end)
+  ]]
+  scene:step()
+  expect(table.concat(scene.sounds, " ")):equal("wood blip")
+  scene:step()
+  expect(#scene.sounds):equal(0)
+  expect(function() open_text [[scene:sound("wod")]] end):fails("Did you mean 'wood'?")
+  expect(function() open_text [[scene:sound("none.wav")]] end):fails("there is no file")
+  expect(function() open_text [[scene:sound("../x.wav")]] end):fails("must be a file below the scene's folder")
+  expect(function() open_text [[scene:sound("wood", { volume = 2 })]] end):fails("volume must be from 0 to 1, got 2")
+  expect(function() open_text [[scene:sound("wood", { pitch = 0 })]] end):fails("pitch must be from 0.125 to 8, got 0")
+end)
+
+test("what touches is heard as its density says, and its motion stays the same", function()
+  local code = [[
+    scene:floor()
+    local steel = scene:ball { radius = 0.1, density = 7800, at = vec(0, 0.5, 0) }
+    local plank = scene:box { size = 0.2, density = 600, at = vec(2, 1, 0) }
+  ]]
+  local silent, heard, glass = open_text(code), open_text(code .. "scene.contact_sounds = true"),
+                               open_text(code .. "scene.contact_sounds = 'glass'")
+  local said, of_glass = {}, {}
+  for _ = 1, 180 do
+    silent:step() heard:step() glass:step()
+    for _, name in ipairs(heard.sounds) do said[#said + 1] = name end
+    for _, name in ipairs(glass.sounds) do of_glass[#of_glass + 1] = name end
+    expect(heard.hash):equal(silent.hash)
+  end
+  expect(said[1]):equal("metal")
+  expect(said[2]):equal("wood")
+  expect(of_glass[1]):equal("glass")
+end)
+
+test("a scene may open another when the step is done", function()
+  local scene = open_text [[scene:at(0, function() scene:open("level2.lua") scene:result("after", true) end)]]
+  expect(scene.next):equal(nil)
+  scene:step()
+  expect(scene:result("after")):is_true()
+  expect(scene.next:match("level2.lua$")):equal("level2.lua")
+  expect(scene.finished):is_true()
+  expect(function() open_text [[scene:open("../other.lua")]] end):fails("must be a file below the scene's folder")
+  expect(function() open_text [[scene:open("level2")]] end):fails("must end in .lua")
+end)
+
+test("what is saved stays when the state goes back", function()
+  local scene = open_text [[
+    assert(scene.saved.best == nil)
+    scene.saved.best, scene.saved.name, scene.saved.won = 12, "me", true
+    scene.saved.none = nil
+    scene:on("step", function()
+      scene.saved.best = scene.saved.best + 1
+      scene:result("best", scene.saved.best) scene:result("name", scene.saved.name) scene:result("won", scene.saved.won)
+    end)
+  ]]
+  local before = scene:snapshot()
+  scene:step()
+  scene:restore(before)
+  scene:step()
+  expect(scene:result("best")):equal(14)
+  open_text [[scene.saved.a, scene.saved.b = 3, 0.5 assert(tostring(scene.saved.a) == "3" and scene.saved.b == 0.5)]]
+  expect(scene:result("name")):equal("me")
+  expect(scene:result("won")):is_true()
+  expect(function() open_text [[scene.saved.x = {}]] end):fails("saved: x must be a number, a boolean, a string or nil, got a table")
+  expect(function() open_text [[scene.saved.x = 0/0]] end):fails("x must be a finite number")
+end)
+
+test("a camera is given at once, or field by field", function()
+  local scene = open_text [[
+    local p = scene:particle()
+    scene.camera = { at = vec(0, 1, 9), zoom = 2 }
+    scene.camera.follow, scene.camera.ease = p, 0.5
+    assert(scene.camera.at == vec(0, 1, 9) and scene.camera.follow == p and scene.camera.zoom == 2)
+    assert(scene.camera.ease == 0.5 and scene.camera.look_at == nil)
+    scene.camera.follow = nil
+    assert(scene.camera.follow == nil)
+  ]]
+  expect(function() open_text [[scene.camera.zoom = 0]] end):fails("zoom must be > 0")
+  expect(function() open_text [[scene.camera.ease = -1]] end):fails("ease must be from 0 to 60 s, got -1")
+  expect(function() open_text [[scene.camera.follow = 3]] end):fails("must be a thing of the scene")
+end)
