@@ -72,7 +72,8 @@ inline std::string_view name_of(Command::Kind kind) { return command_names[stati
 /// Whether only a step can carry it out: hands pull in steps, and scripts hear of keys in them. All else may be done between two.
 inline bool needs_step(Command::Kind kind) {
   using Kind = Command::Kind;
-  return kind == Kind::grab || kind == Kind::release || kind == Kind::key || kind == Kind::button;
+  return kind == Kind::grab || kind == Kind::release || kind == Kind::key || kind == Kind::button ||
+         kind == Kind::control;
 }
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.
