@@ -69,15 +69,19 @@ class RecordedPerson {
       undo_.begin(*scene_, times_, input, "act");
       input.commands.push_back(command());
     }
-    if (done_ % 211 == 0) do_at_once();
+    if (done_ % 173 == 0) do_at_once();
     if (!take(input)) return;
     if (chance(0.002)) go_back(false);
     if (chance(0.002)) go_back(true);
   }
   /// As while it is paused.
   void do_at_once() {
-    Command made = command();
-    if (needs_step(made.kind)) return;
+    Command made;
+    made.kind = Command::Kind::make;
+    made.position = middle_ + reach_ * vec(0.5, 0.001 * static_cast<double>(done_), 0);
+    made.points = {zero3()};
+    made.mass = 0.5;
+    made.radius = 0.05;
     recorder_->done_at_once({made});
     carry_out(world(), std::vector{made});
   }
