@@ -1434,6 +1434,7 @@ function Scene:save(file) end
 ---@field finished boolean whether it called scene:finish() (read only)
 ---@field drawn integer lines, arrows, texts and points that it drew in the last step (read only)
 ---@field sounds string[] names of the sounds that began in the last step (read only)
+---@field taken string keys and what of gamepads it has read, which are its own (read only)
 ---@field next string? the file that it opened by scene:open (read only)
 local OpenedScene = {}
 ---Steps on for a time.

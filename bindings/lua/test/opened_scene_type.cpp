@@ -112,6 +112,12 @@ Type make() {
                            }
                          },
                          nullptr});
+  type.fields.push_back({"taken", "string", "", "keys and what of gamepads it has read, which are its own",
+                         [](const Self& s) {
+                           const std::vector<std::string> names(s.script.controls.begin(), s.script.controls.end());
+                           lua_pushstring(s.state, joined(names).c_str());
+                         },
+                         nullptr});
   type.fields.push_back({"next", "string?", "", "the file that it opened by scene:open",
                          [](const Self& s) {
                            if (s.script.next.empty())
