@@ -48,8 +48,8 @@ struct ScriptData {
   double pace = 1.0;               ///< simulated s per real s
   CameraWish camera;
   bool finished = false;
-  std::string next;                ///< scene to be opened when the step is done, or empty
-  std::string contact_sounds;      ///< what touches is heard as: "", "by material", or a sound's name
+  std::string next;            ///< scene to be opened when the step is done, or empty
+  std::string contact_sounds;  ///< what touches is heard as: "", "by material", or a sound's name
 
   std::vector<SceneParameter> parameters;
   std::map<std::string, Callback> on_change;
