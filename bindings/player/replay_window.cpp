@@ -181,6 +181,8 @@ bool ReplayWindow::step_once() {
   try {
     const bool goes_on = replay_.step();
     if (replay_.tick() < before) target_ = before + 1;
+    for (const SoundCall& call : replay_.scene().sounds())
+      if (const std::string why = speaker_.play(call); !why.empty()) say(why);
     return goes_on && !target_;
   } catch (const std::exception& error) { fail(error.what()); }
   return false;

@@ -10,6 +10,7 @@
 #include "player/replay.hpp"
 #include "player/status.hpp"
 #include "view/renderer.hpp"
+#include "view/speaker.hpp"
 
 namespace pantin::player {
 
@@ -63,6 +64,7 @@ class ReplayWindow {
   Renderer renderer_;
   Camera camera_;
   Follower follower_;
+  Speaker speaker_;
   Gestures gestures_;
   Views views_;
   Pacing pacing_;

@@ -2,6 +2,7 @@
 // What a scene lets be heard.
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

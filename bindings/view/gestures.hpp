@@ -45,7 +45,7 @@ struct Gestures {
   std::vector<std::string> held;      ///< keys that are down
   std::string text;                   ///< typed since the last poll, UTF-8
   std::map<std::string, double> pad;  ///< what is held of gamepads, by names of scene/controls.hpp; no zeros
-  std::vector<std::string> of_scene;   ///< of these, what is the scene's alone; kept from poll to poll
+  std::vector<std::string> of_scene;  ///< of these, what is the scene's alone; kept from poll to poll
   std::map<PointerId, Stick> sticks;  ///< of the gamepads that are plugged in
   std::vector<std::string> notes;     ///< to be told: a gamepad came or went
   bool shift = false, control = false;

@@ -1383,20 +1383,6 @@ function Scene:result(name, value) end
 ---scene:when({ energy_below = 1 }, function() scene:finish() end)
 ---```
 function Scene:finish() end
----Lets a sound be heard: "wood", "metal", "glass", "rubber" as if struck, "blip", "noise", or a .wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.
----```lua
----scene:on("touched", block, function(touch) scene:sound("wood", { volume = math.min(1, touch.speed / 5) }) end)
----scene:on("key", "x", function() scene:sound("blip", { pitch = 2 }) end)
----```
----@param sound string
----@param options? SoundOptions
-function Scene:sound(sound, options) end
----Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the log tells it.
----```lua
----scene:when(function() return p.position.x > 10 end, function() scene:open("level2.lua") end)
----```
----@param file string
-function Scene:open(file) end
 ---The present state, kept in memory. Taking it changes nothing of the run.
 ---```lua
 ---local before = scene:snapshot()
@@ -1428,12 +1414,27 @@ function Scene:rewind(by) end
 ---```
 ---@param file string
 function Scene:save(file) end
+---Lets a sound be heard: "wood", "metal", "glass", "rubber" as if struck, "blip", "noise", or a .wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.
+---```lua
+---scene:on("touched", block, function(touch) scene:sound("wood", { volume = math.min(1, touch.speed / 5) }) end)
+---scene:on("key", "x", function() scene:sound("blip", { pitch = 2 }) end)
+---```
+---@param sound string
+---@param options? SoundOptions
+function Scene:sound(sound, options) end
+---Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the log tells it.
+---```lua
+---scene:when(function() return p.position.x > 10 end, function() scene:open("level2.lua") end)
+---```
+---@param file string
+function Scene:open(file) end
 
 ---A scene that a test opened.
 ---@class OpenedScene: AnyScene
 ---@field finished boolean whether it called scene:finish() (read only)
 ---@field drawn integer lines, arrows, texts and points that it drew in the last step (read only)
 ---@field sounds string[] names of the sounds that began in the last step (read only)
+---@field taken string keys and what of gamepads it has read, which are its own (read only)
 ---@field next string? the file that it opened by scene:open (read only)
 local OpenedScene = {}
 ---Steps on for a time.

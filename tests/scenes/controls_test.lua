@@ -70,6 +70,17 @@ test("what is held goes back with the state", function()
   expect(scene:result("up")):is_true()
 end)
 
+test("a key that was read stays the scene's when the state goes back", function()
+  local scene = open_text [[
+    scene:on("step", function() scene:result("up", scene.keys.up) end)
+    local once
+    scene:at(0.1, function() if not once then once = true scene:reset() end end)
+  ]]
+  scene:hold("up")
+  scene:advance(0.2)
+  expect(scene.taken):equal("up")
+end)
+
 test("a law cannot read keys", function()
   expect(function()
     open_text [[scene:field(scene, force.point { force = function(p) return vec(scene.keys.left and 1 or 0, 0, 0) end })]]

@@ -56,7 +56,7 @@ TEST_CASE("saved_values: a score lasts over a restart, another scene and another
 
 TEST_CASE("saved_values: a scene opens the next, and one that is not there is told once", "[window]") {
   const DataFolder data;
-  Played played(R"(scene:particle() scene:at(0.01, function() scene:open("level2.lua") end))");
+  Played played(R"(scene:particle() scene:at(0.5, function() scene:open("level2.lua") end))");
   support::write_file(played.folder / "level2.lua",
                       "scene.title = 'second' scene:particle() scene:at(0.01, function() scene:open('none.lua') end)");
   for (int i = 0; i < 100 && played.player->scene().title() != "second"; i++) played.frames(1);

@@ -278,17 +278,6 @@ std::vector<Method> telling() {
        "scene:at(0, function() scene:result(\"gap\", (p.position - q.position):length()) end)"},
       {"finish", guard<scene_finish>, "", "", "Ends the run.",
        "scene:when({ energy_below = 1 }, function() scene:finish() end)"},
-      {"sound", guard<scene_sound>, "sound: string, options?: SoundOptions", "",
-       "Lets a sound be heard: \"wood\", \"metal\", \"glass\", \"rubber\" as if struck, \"blip\", \"noise\", or a "
-       ".wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.",
-       "scene:on(\"touched\", block, function(touch) scene:sound(\"wood\", { volume = math.min(1, touch.speed / 5) }) "
-       "end)\n"
-       "scene:on(\"key\", \"x\", function() scene:sound(\"blip\", { pitch = 2 }) end)"},
-      {"open", guard<scene_open>, "file: string", "",
-       "Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the "
-       "log "
-       "tells it.",
-       "scene:when(function() return p.position.x > 10 end, function() scene:open(\"level2.lua\") end)"},
       {"snapshot", guard<scene_snapshot>, "", "Snapshot",
        "The present state, kept in memory. Taking it changes nothing of the run.", "local before = scene:snapshot()"},
       {"restore", guard<scene_restore>, "snapshot: Snapshot", "",
@@ -310,6 +299,22 @@ std::vector<Method> telling() {
   };
 }
 
+std::vector<Method> playing() {
+  return {
+      {"sound", guard<scene_sound>, "sound: string, options?: SoundOptions", "",
+       "Lets a sound be heard: \"wood\", \"metal\", \"glass\", \"rubber\" as if struck, \"blip\", \"noise\", or a "
+       ".wav file below the scene's folder. It changes nothing of the motion, and is heard in the window alone.",
+       "scene:on(\"touched\", block, function(touch) scene:sound(\"wood\", { volume = math.min(1, touch.speed / 5) }) "
+       "end)\n"
+       "scene:on(\"key\", \"x\", function() scene:sound(\"blip\", { pitch = 2 }) end)"},
+      {"open", guard<scene_open>, "file: string", "",
+       "Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the "
+       "log "
+       "tells it.",
+       "scene:when(function() return p.position.x > 10 end, function() scene:open(\"level2.lua\") end)"},
+  };
+}
+
 Type make() {
   Type type = type_with(fields::scene_type());
   const std::vector<Field> of_script = show_settings();
@@ -322,7 +327,7 @@ Type make() {
   };
   once("keys", "HeldKeys", "keys that are held", [](const Self& s) { push_one(s, Kind::held_keys); });
   once("pad", "Gamepad", "sticks and buttons of a gamepad", [](const Self& s) { push_one(s, Kind::gamepad); });
-  for (const auto& methods : {making(), touch_methods(), constraining(), forcing(), telling()})
+  for (const auto& methods : {making(), touch_methods(), constraining(), forcing(), telling(), playing()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());
   type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());

@@ -39,12 +39,18 @@ int advance_opened(lua_State* state) {
   return 0;
 }
 
+/// Of the key at argument 1.
+Command control_at(lua_State* state, const char* call) {
+  Command command;
+  command.kind = Command::Kind::control;
+  command.name = check_control(check_text(state, 2, call, "argument 1, the key,"));
+  return command;
+}
+
 /// A key that is pressed is told, too.
 int hold_control(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "hold");
-  Command command;
-  command.kind = Command::Kind::control;
-  command.name = check_control(check_text(state, 2, "hold", "argument 1, the key,"));
+  Command command = control_at(state, "hold");
   command.value = lua_isnoneornil(state, 3) ? 1.0 : check_number(state, 3, "hold", "argument 2, how far,", "");
   require(command.value >= -1.0 && command.value <= 1.0, "hold: argument 2, how far, must be from -1 to 1, got ",
           command.value);
@@ -58,10 +64,7 @@ int hold_control(lua_State* state) {
 
 int release_control(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "release");
-  Command command;
-  command.kind = Command::Kind::control;
-  command.name = check_control(check_text(state, 2, "release", "argument 1, the key,"));
-  self.world.input.commands.push_back(command);
+  self.world.input.commands.push_back(control_at(state, "release"));
   return 0;
 }
 
@@ -110,6 +113,12 @@ Type make() {
                              lua_pushstring(s.state, s.script.sounds[i].name.c_str());
                              lua_rawseti(s.state, -2, static_cast<lua_Integer>(i + 1));
                            }
+                         },
+                         nullptr});
+  type.fields.push_back({"taken", "string", "", "keys and what of gamepads it has read, which are its own",
+                         [](const Self& s) {
+                           const std::vector<std::string> names(s.script.controls.begin(), s.script.controls.end());
+                           lua_pushstring(s.state, joined(names).c_str());
                          },
                          nullptr});
   type.fields.push_back({"next", "string?", "", "the file that it opened by scene:open",

@@ -48,9 +48,8 @@ struct ScriptData {
   double pace = 1.0;               ///< simulated s per real s
   CameraWish camera;
   bool finished = false;
-  std::string next;                ///< scene to be opened when the step is done, or empty
-  std::set<std::string> controls;  ///< of keys and gamepads, that were read: the scene's, not the window's
-  std::string contact_sounds;      ///< what touches is heard as: "", "by material", or a sound's name
+  std::string next;            ///< scene to be opened when the step is done, or empty
+  std::string contact_sounds;  ///< what touches is heard as: "", "by material", or a sound's name
 
   std::vector<SceneParameter> parameters;
   std::map<std::string, Callback> on_change;
@@ -77,6 +76,7 @@ struct Script : ScriptHost, ScriptData {
 
   Made made;                                         ///< by the file, where it may change
   std::set<std::string> fixed;                       ///< settings that `--set` gave: what the file assigns is ignored
+  std::set<std::string> controls;                    ///< of keys and gamepads, that were read: the scene's from then on
   std::uint64_t subscribed = 0;                      ///< serial of the last subscription
   int telling = 0;                                   ///< calls that go through the subscriptions now
   std::shared_ptr<const ScriptSnapshot> start;       ///< before the first step, where a file speaks of `reset`
