@@ -58,7 +58,8 @@ struct Command {
   double mass = 0.0;       ///< [kg] make: of all; 0: by the usual density of what touches
   double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; heat: of the ball
   double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
-  std::string name;        ///< key, button; tie: "rod", "rope" or "spring"
+  std::string name;  ///< key, button; tie: "rod", "rope" or "spring"; make: "copy" of `thing` or `point` with all that
+                     ///< is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
 };
 
 /// (kinds) as recordings and the log call them
