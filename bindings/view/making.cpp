@@ -156,6 +156,7 @@ double make_round(const Viewport& viewport, const MakingDrag& drag, Command& c) 
     c.position = touches && drag.body ? rounded(drag.start, step) : drag.start;
     c.point = viewport.world.points.alive(drag.point) ? drag.point : PointId{};
     if (!c.point) c.thing = drag.body;
+    if (drag.body) c.position = viewport.world.plane.beside(c.position, viewport.world.motion_of(drag.body).x);
   } else if (touches) {
     c.position = rounded(c.position, step);
   }

@@ -60,7 +60,9 @@ struct Command {
   double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; heat: of the ball
   double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
   double value = 0.0;      ///< control: how far it is pressed, -1 to 1; 0: let go
-  std::string name;        ///< key, button, control; tie: "rod", "rope" or "spring"
+  std::string
+      name;  ///< key, button, control; tie: "rod", "rope" or "spring"; make: "copy" of `thing` or `point` with all that
+             ///< is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
 };
 
 /// (kinds) as recordings and the log call them

@@ -64,6 +64,65 @@ TEST_CASE("build by hand: a rod is hinged to the places on bodies that its ends 
   CHECK(norm(position(world, world.bodies[right].points[0]) - vec(3.8, 0.1, 0)) < 1e-15);
 }
 
+TEST_CASE("build by hand: contradictions are borne: a rod nailed at both ends and pulled, a box within another") {
+  World world;
+  const auto send = [&](const Command& command) { carry_out(world, std::vector{command}); };
+  const BodyId rod = make(world, making(MadeForm::rod, zero3(), {zero3(), vec(2, 0, 0)}));
+  Command nail;
+  nail.kind = Kind::nail;
+  for (const PointId point : world.bodies[rod].points) {
+    nail.point = point;
+    send(nail);
+  }
+  Command pull;
+  pull.kind = Kind::tie;
+  pull.name = "rope";
+  pull.point = world.bodies[rod].points[1];
+  pull.points = {vec(5, 0, 0)};
+  send(pull);
+  make(world, making(MadeForm::box, vec(0, 5, 0)));
+  make(world, making(MadeForm::box, vec(0, 5, 0)));
+  for (int i = 0; i < 240; i++) step(world);
+  CHECK(world.failure.empty());
+  CHECK(norm(position(world, world.bodies[rod].points[0])) < 1e-6);
+  for (const BodyId body : world.bodies.ids()) CHECK(finite(world.motion_of(body).x));
+}
+
+TEST_CASE("build by hand: what is made on a thing that is gone is told, and nothing is left") {
+  World world;
+  const BodyId box = make(world, making(MadeForm::box, zero3()));
+  const PointId point = add_point(world, box, {});
+  remove(world, box);
+  for (const Kind kind : {Kind::tie, Kind::join, Kind::drive, Kind::nail}) {
+    Command c = making(MadeForm::wheel, zero3());
+    c.kind = kind;
+    c.name = "rope";
+    c.point = point;
+    carry_out(world, std::vector{c});
+    CHECK_THAT(world.log.back().text, Contains("by hand 1: "));
+  }
+  CHECK(world.log.size() == 4);
+  CHECK(world.bodies.empty());
+  CHECK(world.points.empty());
+  CHECK(world.constraints.empty());
+}
+
+TEST_CASE("build by hand: what is refused changes no body, to the bit") {
+  World world;
+  Command hull = making(MadeForm::hull, vec(0.3, 0.2, 0.1),
+                        {vec(-0.3, -0.31, -0.32), vec(0.4, -0.3, -0.3), vec(0, 0.5, -0.3), vec(0, 0, 0.41)});
+  const BodyId body = make(world, hull);
+  const std::uint64_t before = state_hash(world);
+  Command c;
+  c.kind = Kind::join;
+  c.thing = c.other_thing = body;
+  c.position = vec(0.31, 0.22, 0.1);
+  c.points = {vec(0.2, 0.2, 0.1)};
+  for (int i = 0; i < 20; i++) carry_out(world, std::vector{c});
+  CHECK(world.log.size() == 20);
+  CHECK(state_hash(world) == before);
+}
+
 TEST_CASE("build by hand: what is refused leaves nothing behind") {
   World world;
   const BodyId box = make(world, making(MadeForm::box, zero3()));

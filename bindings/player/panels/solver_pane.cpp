@@ -13,7 +13,7 @@ namespace {
 
 using Count = unsigned long long;
 
-void line(const char* name, Count count, bool warn = false) {
+void count_line(const char* name, Count count, bool warn = false) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(name);
@@ -39,15 +39,15 @@ class SolverPane : public Pane {
     Count unknowns = 0;
     for (const auto& articulate : world.articulates) unknowns += 3 * articulate->rows.size();
     if (ImGui::BeginTable("counts", 2, ImGuiTableFlags_SizingStretchProp)) {
-      line("articulates", world.articulates.size());
-      line("unknown forces", unknowns);
-      line("loose bodies", world.loose_bodies.size());
-      line("loose points", world.loose_points.size());
-      line("factorisations", world.stats.factorisations);
-      line("most iterations", world.stats.worst_iterations);
-      line("halved steps", world.stats.halved_steps, true);
-      line("fallback steps", world.stats.fallback_steps, true);
-      line("accuracy not reached", world.stats.unreached, true);
+      count_line("articulates", world.articulates.size());
+      count_line("unknown forces", unknowns);
+      count_line("loose bodies", world.loose_bodies.size());
+      count_line("loose points", world.loose_points.size());
+      count_line("factorisations", world.stats.factorisations);
+      count_line("most iterations", world.stats.worst_iterations);
+      count_line("halved steps", world.stats.halved_steps, true);
+      count_line("fallback steps", world.stats.fallback_steps, true);
+      count_line("accuracy not reached", world.stats.unreached, true);
       ImGui::EndTable();
     }
     ImGui::Text("%.2f iterations of Newton a solve, lately", newton_);
@@ -66,9 +66,9 @@ class SolverPane : public Pane {
     ImGui::Separator();
     const Stats& s = world.stats;
     if (ImGui::BeginTable("contacts", 2, ImGuiTableFlags_SizingStretchProp)) {
-      line("contacts", s.contacts);
-      line("islands of contacts", s.contact_islands);
-      line("unsolved islands", s.unsolved_islands, true);
+      count_line("contacts", s.contacts);
+      count_line("islands of contacts", s.contact_islands);
+      count_line("unsolved islands", s.unsolved_islands, true);
       ImGui::EndTable();
     }
     ImGui::Text("%.2f iterations a step, lately", contact_iterations_);
