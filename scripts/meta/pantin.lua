@@ -2413,7 +2413,7 @@ function shape.capsule(radius, length, options) end
 ---@param options? CylinderShapeOptions
 ---@return Shape
 function shape.cylinder(radius, length, options) end
----The convex hull of points, or of the vertices of a structure.
+---The convex hull of at most 100,000 points, or of the vertices of a structure; it may have 10,000 corners.
 ---```lua
 ---local die = shape.hull(structure.dodecahedron { edge = 0.2 }, { friction = 0.3 })
 ---```
