@@ -167,7 +167,8 @@ struct ArticulateState {
   // and of scalar rows at the row that they are known by; none: nothing touches.
   std::array<std::vector<Vec3>, 2> tie_impulses;
   std::array<std::vector<double>, 2> scalar_impulses;
-  std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts, or in which rows may let go
+  std::vector<Vec3>
+      exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts, or in which rows may let go
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
   // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
   std::vector<Vec3> expected;
