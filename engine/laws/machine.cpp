@@ -150,7 +150,13 @@ void Machine::bind(int input, const double* values) {
 
 void Machine::fill(int input, double value) { std::fill_n(column(input), memory_->capacity, value); }
 
-void Machine::run_uniform() { memory_->run(memory_->uniform, memory_->capacity); }
+void Machine::run_uniform() {
+  memory_->run(memory_->uniform, kernels::padding);
+  for (const Stage& stage : memory_->uniform) {
+    double* values = memory_->at(stage.first.to);
+    std::fill(values + kernels::padding, values + memory_->capacity, *values);
+  }
+}
 
 void Machine::use(std::shared_ptr<const MachineCode> code) { memory_->machine_code = std::move(code); }
 

@@ -1,6 +1,8 @@
 #include "laws/run/block.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include "base/check.hpp"
@@ -102,21 +104,27 @@ void LawBlock::take_input(const Law& law, std::span<const std::string> names, co
 
 void LawBlock::set(const Instant& instant, std::span<const double> parameters) {
   assume(parameters.size() == parameters_.size() || parameters.empty());
+  const auto same = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  const bool as_before = is_set_ && (time_input_ < 0 || same(instant.time, instant_.time)) &&
+                         std::equal(parameters.begin(), parameters.end(), parameters_.begin(), same);
   instant_ = instant;
   std::copy(parameters.begin(), parameters.end(), parameters_.begin());
   called_parameters_.clear();
-  if (!machine_) return;
+  if (!machine_ || as_before) return;
   if (time_input_ >= 0) machine_->fill(time_input_, instant.time);
   for (const auto& [parameter, input] : parameter_inputs_)
     if (!parameters.empty()) machine_->fill(input, parameters[parameter]);
   machine_->run_uniform();
+  is_set_ = true;
 }
 
 void LawBlock::bind_parameter(std::size_t parameter, const double* values) {
   called_parameters_.resize(parameters_.size(), nullptr);
   called_parameters_[parameter] = values;
   for (const auto& [wanted, input] : parameter_inputs_)
-    if (wanted == parameter) machine_->bind(input, values);
+    if (wanted == parameter) machine_->bind(input, values), is_set_ = false;
 }
 
 void LawBlock::gather_of(std::span<const std::uint32_t* const> roles, std::size_t n, const Sites& sites_of_all) {

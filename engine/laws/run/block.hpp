@@ -90,6 +90,7 @@ class LawBlock {
   int time_input_ = -1;
   Instant instant_;
   std::vector<double> parameters_;
+  bool is_set_ = false;  // the machine has run what follows from these two
   std::vector<const double*> called_inputs_, called_parameters_;
   std::vector<const std::uint32_t*> called_particles_;
   std::vector<double*> called_outputs_;
