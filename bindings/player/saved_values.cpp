@@ -32,7 +32,7 @@ fs::path data_folder() {
 
 std::string text_of_values(const SavedValues& values) {
   Json json = Json::object();
-  for (const auto& [name, value] : values) std::visit([&](const auto& plain) { json[name] = plain; }, value);
+  for (const auto& saved : values) std::visit([&](const auto& plain) { json[saved.first] = plain; }, saved.second);
   return text_of(json);
 }
 
