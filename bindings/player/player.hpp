@@ -3,6 +3,7 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "player/aim.hpp"
@@ -85,7 +86,7 @@ class Player {
   void tell(const std::string& what);
   void tell_dropped();
   void tell_tool();
-  const std::string& hint() const;
+  std::string hint() const;
   void draw_tools();
   void mark_hands(Overlay& overlay) const;
   void choose_followed();
@@ -94,6 +95,7 @@ class Player {
   void swallow_keys();
   void wait_for(const std::atomic<bool>& done, const std::string& what);
   void edit(const FieldEdit& edit);
+  std::set<std::string> keys_of_scene() const;
   void give_keys_to_scene();
   void write_table();
   void toggle_film();

@@ -116,21 +116,35 @@ void Player::tell_dropped() {
 }
 
 /// What a hand may do next, to one that has done nothing in this scene; and to one that has, how to show it.
-const std::string& Player::hint() const {
-  static const std::string none;
-  static const std::string first =
-      text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
-           " and stroke to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
-           key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
-  static const std::string second = text("to show it to somebody: ", key_for(KeyUse::picture), " takes a picture, ",
-                                         key_for(KeyUse::film), " films what is seen");
+/// Of keys that the scene takes for itself it says nothing.
+std::string Player::hint() const {
   const Clock::time_point now = Clock::now();
-  if (tried_) return now > tried_at_ + played_for && now < tried_at_ + played_for + asked_for ? second : none;
-  return now > adopted_ + hinted_for ? none : first;
+  const bool is_second = tried_;
+  if (is_second ? now < tried_at_ + played_for || now > tried_at_ + played_for + asked_for
+                : now > adopted_ + hinted_for)
+    return "";
+  const std::set<std::string> taken = keys_of_scene();
+  std::string hint = is_second ? "to show it to somebody" : "drag a point, and throw it";
+  auto add = [&, between = is_second ? ": " : "; "](const char* key, const char* does) mutable {
+    if (taken.contains(key)) return;
+    hint += text(between, key, " ", does);
+    between = ", ";
+  };
+  if (is_second) {
+    add(key_for(KeyUse::picture), "takes a picture");
+    add(key_for(KeyUse::film), "films what is seen");
+    return hint;
+  }
+  add(key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)), "cuts by a stroke");
+  add(key_for(KeyUse::pause), "pauses");
+  add(key_for(KeyUse::slower), "slows");
+  add(key_for(KeyUse::scenes), "shows all scenes");
+  add(key_for(KeyUse::help), "shows all keys");
+  return hint;
 }
 
 void Player::draw_tools() {
-  const std::string& told = Clock::now() < told_at_ + told_for ? told_ : hint();
+  const std::string told = Clock::now() < told_at_ + told_for ? told_ : hint();
   const ToolKind kind = hands_.tool.kind;
   const PaletteWish wish = draw_palette(hands_.tool, undo_state(), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));

@@ -249,15 +249,19 @@ bool Player::take_key(const std::string& name) {
   return true;
 }
 
-/// What the scene asked for by its name is not for the window; Esc stays.
+/// What the scene asked for by its name; Esc stays the window's.
+std::set<std::string> Player::keys_of_scene() const {
+  std::set<std::string> wanted;
+  for (const std::string& key : scene_->keys()) wanted.insert(key);
+  for (const std::string& control : scene_->controls()) wanted.insert(control);
+  wanted.erase("escape");
+  return wanted;
+}
+
 void Player::give_keys_to_scene() {
   give_controls(*scene_, !browser_.shown() && !renderer_.writing(), gestures_, waiting_);
   if (browser_.shown()) return;
-  std::vector<std::string> wanted = scene_->keys();
-  for (const std::string& control : scene_->controls()) wanted.push_back(control);
-  const auto for_scene = [&](const std::string& key) {
-    return key != "escape" && std::ranges::find(wanted, key) != wanted.end();
-  };
+  const auto for_scene = [wanted = keys_of_scene()](const std::string& key) { return wanted.contains(key); };
   gestures_.erase_keys([&](const std::string& key) {
     if (!for_scene(key)) return false;
     Command command;

@@ -17,6 +17,10 @@ struct Bounds {
     add(b.high);
   }
 };
+inline Bounds widened(const Bounds& b, double by) {
+  const Vec3 d = vec(by, by, by);
+  return {b.low - d, b.high + d};
+}
 inline bool overlap(const Bounds& a, const Bounds& b) {
   for (int i = 0; i < 3; i++)
     if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;

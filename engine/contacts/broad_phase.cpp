@@ -20,11 +20,6 @@ bool contains(const Bounds& outer, const Bounds& inner) {
   return true;
 }
 
-Bounds widened(const Bounds& bounds, double by) {
-  const Vec3 d = vec(by, by, by);
-  return {bounds.low - d, bounds.high + d};
-}
-
 /// Merges the rising first `kept` of a list with a rising list that takes the places behind them.
 void merge_from_back(std::vector<BroadPhase::Pair>& list, std::ptrdiff_t kept,
                      const std::vector<BroadPhase::Pair>& added) {

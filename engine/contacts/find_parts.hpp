@@ -23,11 +23,6 @@ inline std::vector<Contact>::const_iterator first_of_shapes(const std::vector<Co
   });
 }
 
-inline Bounds widened(Bounds b, double margin) {
-  const Vec3 by = vec(margin, margin, margin);
-  return {b.low - by, b.high + by};
-}
-
 /// Whether they are never to collide.
 inline bool are_tied(const ContactFinder& finder, std::uint32_t x, std::uint32_t y) {
   return std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y)));

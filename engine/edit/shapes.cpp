@@ -35,7 +35,7 @@ struct Checker {
 };
 
 /// Sensors weigh nothing beside others.
-std::vector<Filled> filled(const std::vector<ShapeDef>& shapes) {
+std::vector<Filled> weighing(const std::vector<ShapeDef>& shapes) {
   const bool sensors = std::all_of(shapes.begin(), shapes.end(), [](const ShapeDef& s) { return s.sensor; });
   std::vector<Filled> list;
   for (const ShapeDef& s : shapes)
@@ -120,7 +120,7 @@ OwnMass mass_of(std::span<const Filled> shapes) {
 }
 
 double filling(const BodyDef& def) {
-  return def.mass > 0.0 && !def.shapes.empty() ? def.mass / mass_of(filled(def.shapes)).mass : 1.0;
+  return def.mass > 0.0 && !def.shapes.empty() ? def.mass / mass_of(weighing(def.shapes)).mass : 1.0;
 }
 
 OwnMass own_mass_of(const BodyDef& def) {
@@ -128,7 +128,7 @@ OwnMass own_mass_of(const BodyDef& def) {
   const bool weighed =
       std::any_of(def.points.begin(), def.points.end(), [](const PointDef& p) { return p.mass > 0.0; });
   if (def.mass == 0.0 && weighed) return {0.0, def.inertia, zero3()};
-  OwnMass own = mass_of(filled(def.shapes));
+  OwnMass own = mass_of(weighing(def.shapes));
   if (def.mass > 0.0) {
     own.inertia = own.inertia * (def.mass / own.mass);
     own.mass = def.mass;

@@ -10,8 +10,8 @@ namespace pantin {
 
 namespace {
 
-constexpr double slow = 0.1;    // of the reach of a law: who moves less in a stage passes nobody in it
-constexpr double nearer = 0.7;  // than at both ends: an encounter
+constexpr double slow_part = 0.1;  // of the reach of a law: who moves less in a stage passes nobody in it
+constexpr double nearer = 0.7;     // than at both ends: an encounter
 
 /// How a pair passed, if it did.
 struct Passing {
@@ -64,7 +64,7 @@ class Finder {
   void of_interaction(ActingInteraction& a) {
     const Interaction& row = world_.interactions[a.id];
     const double cutoff = a.pairs.neighbours.cutoff();
-    if (2.0 * fastest_ < slow * std::min(cutoff, nearest_)) return;
+    if (2.0 * fastest_ < slow_part * std::min(cutoff, nearest_)) return;
     passed_.clear();
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     const double farthest = 2.0 * fastest_ / std::sqrt(1.0 - nearer * nearer);  // at the end, of two that passed

@@ -1,6 +1,5 @@
 #include "forces/tied_kick.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -170,19 +169,16 @@ double TiedKick::fastest_damping() {
   pantin::add(right, others_, 1.0);
   MotionSpace space;
   std::vector<Motions> all;
-  double fastest = 0.0;
   const auto again = [&](const Motions& motions) { return allowed(motions); };
   space.add_direction(right, size_of(right), again);
   while (all.size() < space.directions.size()) {
     all.push_back(forces_of_laws(space.directions.back()));
     space.add_forces(all);
-    const Eigen::MatrixXd working = 0.5 * (space.galerkin + space.galerkin.transpose());
-    fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
     if (all.size() == enough) break;
     Motions next = allowed(all.back());
     space.add_direction(std::move(next), asked_, again);
   }
-  return fastest;
+  return space.fastest_decay();
 }
 
 double TiedKick::fastest_swing() const {

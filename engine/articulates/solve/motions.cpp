@@ -62,4 +62,32 @@ void MotionSpace::add_forces(const std::vector<Motions>& forces) {
   }
 }
 
+namespace {
+
+/// Whether all eigenvalues of a symmetric matrix are positive: whether Cholesky's method has all its pivots.
+bool is_positive(Eigen::MatrixXd m) {
+  for (Eigen::Index k = 0; k < m.rows(); k++) {
+    if (!(m(k, k) > 0.0)) return false;
+    for (Eigen::Index i = k + 1; i < m.rows(); i++)
+      for (Eigen::Index j = k + 1; j <= i; j++) m(i, j) -= m(i, k) * m(j, k) / m(k, k);
+  }
+  return true;
+}
+
+}  // namespace
+
+double MotionSpace::fastest_decay() const {
+  constexpr int halvings = 50;
+  const Eigen::MatrixXd working = -0.5 * (galerkin + galerkin.transpose());
+  double high = 0.0;
+  for (const double x : working.reshaped()) high += std::fabs(x);
+  double low = -high;
+  for (int k = 0; k < halvings; k++) {
+    const double middle = 0.5 * (low + high);
+    const bool above = is_positive(middle * Eigen::MatrixXd::Identity(working.rows(), working.cols()) - working);
+    (above ? high : low) = middle;
+  }
+  return high;
+}
+
 }  // namespace pantin

@@ -33,6 +33,9 @@ struct MotionSpace {
   double add_direction(Motions direction, double size_of_all, const std::function<Motions(const Motions&)>& allowed);
   /// Adds the row and the column of the last direction; `forces` (directions) are those at each, as momenta by time.
   void add_forces(const std::vector<Motions>& forces);
+  /// [1/s] The fastest rate at which the forces take from a motion in it: the largest eigenvalue of minus the
+  /// symmetric part of Galerkin's matrix.
+  double fastest_decay() const;
 
  private:
   double orthogonalise(Motions& direction) const;  // Gram and Schmidt

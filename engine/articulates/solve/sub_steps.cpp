@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint16_t long_quiet = 64;  // steps after which half as many sub-steps are tried
 constexpr std::uint16_t longest_wait = 64;
-constexpr double most_turn = 1.0;  // [rad] that a body without rows turns by at once
+constexpr double turn_at_once = 1.0;  // [rad] that a body without rows turns by at once
 constexpr double faster = 1.1;     // than at the last trial: then there is another
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
@@ -192,8 +192,8 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
     return 0.0;
   }
   // Longer turns are cut into the same parts by one sub-step and by two, which would differ by nothing.
-  while (turn() > most_turn && n.count < sub_step_limit) n = {static_cast<std::uint16_t>(2 * n.count)};
-  if (turn() > most_turn) {
+  while (turn() > turn_at_once && n.count < sub_step_limit) n = {static_cast<std::uint16_t>(2 * n.count)};
+  if (turn() > turn_at_once) {
     move(node, n.count);
     return 1.0 / std::fabs(h);
   }
