@@ -43,7 +43,7 @@ scene:field(mist, force.point { force = function(p, own, t)
 end })
 
 local fall = scene:emitter { name = "fall", family = water, at = { vec(-0.6, 2.46, -0.4), vec(-0.5, 2.6, 0.4) },
-  rate = flow, velocity = vec(1, 0, 0), spread = 0.15, lifetime = { min = 1.8, max = 2.6 } }
+  rate = flow, velocity = vec(1, 0, 0), spread = 0.15, lifetime = { min = 1.6, max = 2.4 } }
 scene:emitter { family = mist, at = { vec(0.5, 0.1, -0.8), vec(1.3, 0.5, 0.8) }, rate = 40, velocity = vec(0.4, 0.6, 0),
   spread = 1, lifetime = { min = 1, max = 2.5 } }
 scene:probe("drops", function() return fall.count end)
