@@ -9,7 +9,8 @@ scene.step = 1 / 360
 scene.camera = { at = vec(2.2, 1.2, 10), look_at = vec(0, -0.6, 0) }
 
 -- A river between two banks.
-scene:floor { height = -3, color = "#a9cfe0" }
+scene:floor { height = -3, color = "#a9cfe0", layer = "water" }
+scene:collide("water", "falls", false) -- what falls in is gone
 for _, way in ipairs { -1, 1 } do
   scene:ground { shape = shape.box(8, 3, 3, { at = vec(8.02 * way, -1.5, 0), friction = 0.9 }), color = "#9c9484" }
 end
@@ -44,7 +45,7 @@ local function build()
     bar(deep[1][i], deep[2][i])
     bar(deep[1][i - 1], deep[2][i])
     bar(deep[2][i - 1], deep[1][i])
-    local plate = scene:box { size = vec(0.99, 0.12, 1.4), at = vec(i - 4.5, -0.06, 0), mass = 60, friction = 0.9, color = "#6b7280",
+    local plate = scene:box { size = vec(0.99, 0.12, 1.4), at = vec(i - 4.5, -0.06, 0), mass = 60, friction = 0.9, layer = "falls", color = "#6b7280",
       points = { vec(-0.5, 0, -0.75), vec(0.5, 0, -0.75), vec(-0.5, 0, 0.75), vec(0.5, 0, 0.75) } }
     for n, point in ipairs(plate.points) do scene:hinge(road[(n + 1) // 2][i - n % 2], point) end
   end
@@ -53,11 +54,11 @@ end
 --- A truck with a wheel as wide as itself on each axle.
 local truck, load, whole
 local function drive_up()
-  truck = scene:body { at = vec(-7, 0.45, 0), mass = load, color = "#c2413b",
+  truck = scene:body { at = vec(-7, 0.45, 0), mass = load, color = "#c2413b", layer = "falls",
     shapes = { shape.box(1.5, 0.16, 0.8), shape.box(0.4, 0.5, 0.8, { at = vec(0.5, 0.33, 0) }) },
     points = { vec(-0.5, -0.2, 0), vec(0.5, -0.2, 0) } }
   for _, point in ipairs(truck.points) do
-    local wheel = scene:cylinder { radius = 0.2, length = 0.9, axis = vec(0, 0, 1), at = point.position, mass = 100, friction = 0.9,
+    local wheel = scene:cylinder { radius = 0.2, length = 0.9, axis = vec(0, 0, 1), at = point.position, mass = 100, friction = 0.9, layer = "falls",
                                    color = "#2f343c", points = { vec(0, 0, 0) } }
     scene:hinge(point, wheel.points[1], { axis = vec(0, 0, 1) })
     scene:motor(wheel, truck, { axis = vec(0, 0, 1), speed = -9, max_torque = load })
@@ -72,7 +73,7 @@ local function start()
 end
 start()
 scene:on("broke", function()
-  if whole then scene:after(6, start) end
+  if whole then scene:after(2.5, start) end
   whole = false
 end)
 scene:on("step", function()

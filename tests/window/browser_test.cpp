@@ -73,7 +73,7 @@ TEST_CASE("browser: a click opens a scene, Esc without one ends the program", "[
   SECTION("click") {
     played.click(150, 150);
     CHECK_FALSE(played.player->browsing());
-    CHECK(played.player->scene().title() == "Auxetic");
+    CHECK(played.player->scene().title() == "Strandbeest");
   }
   SECTION("Esc") {
     pushed::tap(SDLK_ESCAPE);
