@@ -216,7 +216,7 @@ bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(
       from, to, ImGui::GetColorU32(hovered ? ImGuiCol_ButtonHovered : ImGuiCol_FrameBg, hovered ? 1.0f : 0.55f), round);
-  if (void* texture = portraits_ ? portraits_->picture(scene.path) : nullptr)
+  if (void* texture = portraits_ ? portraits_->picture(scene.path, scene.portrait_at) : nullptr)
     list.AddImageRounded(texture, from, {to.x, from.y + picture}, {0, 0}, {1, 1}, IM_COL32_WHITE, round,
                          ImDrawFlags_RoundCornersTop);
   else if (portraits_)

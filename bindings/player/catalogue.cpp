@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -48,6 +51,45 @@ SceneEntry read_entry(const fs::path& path) {
   return entry;
 }
 
+/// What a folder's list says of a scene.
+struct Listed {
+  std::size_t place = 0;  ///< in the list, from 0
+  double portrait_at = 2.0;
+};
+
+std::map<std::string, Listed> read_order(const fs::path& folder) {
+  std::map<std::string, Listed> listed;
+  std::ifstream file(folder / "order.txt");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string name;
+    Listed entry{listed.size()};
+    if (!(words >> name)) continue;
+    if (double at; words >> at && at >= 0.0) entry.portrait_at = at;
+    listed.emplace(name, entry);
+  }
+  return listed;
+}
+
+/// A folder's scenes in its order.
+std::vector<SceneEntry> scenes_in(const fs::path& folder) {
+  const std::map<std::string, Listed> listed = read_order(folder);
+  std::vector<SceneEntry> scenes;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+    if (it->path().extension() == ".lua")
+      if (SceneEntry entry = read_entry(it->path()); !entry.path.empty()) scenes.push_back(std::move(entry));
+  const auto place = [&](const SceneEntry& scene) {
+    const auto found = listed.find(scene.name);
+    return std::pair(found == listed.end() ? listed.size() : found->second.place, scene.path);
+  };
+  std::ranges::sort(scenes, {}, place);
+  for (SceneEntry& scene : scenes)
+    if (const auto found = listed.find(scene.name); found != listed.end())
+      scene.portrait_at = found->second.portrait_at;
+  return scenes;
+}
+
 }  // namespace
 
 std::vector<SceneEntry> list_scenes(const std::vector<std::string>& folders) {
@@ -57,12 +99,7 @@ std::vector<SceneEntry> list_scenes(const std::vector<std::string>& folders) {
     std::error_code failed;
     const fs::path real = fs::weakly_canonical(folder, failed);
     if (failed || !seen.insert(real).second) continue;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator it(real, failed), end; !failed && it != end; it.increment(failed))
-      if (it->path().extension() == ".lua") files.push_back(it->path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files)
-      if (SceneEntry entry = read_entry(file); !entry.path.empty()) scenes.push_back(std::move(entry));
+    for (SceneEntry& entry : scenes_in(real)) scenes.push_back(std::move(entry));
   }
   return scenes;
 }

@@ -23,6 +23,7 @@ Pictures::Pictures(const Scene& scene, Size size, const Views& views, const std:
       renderer_(size.width, size.height, 4),
       clock_{std::any_of(film_paths.begin(), film_paths.end(), is_mp4) ? usual_frame_rate : animation_rate,
              scene.pace()} {
+  if (scene.dark()) views_.set(View::dark, true);
   renderer_.open(scene.world());
   camera_ = aim(scene, renderer_.stage(), static_cast<double>(size.width) / size.height);
   for (const std::string& path : film_paths)

@@ -84,6 +84,7 @@ void Player::adopt(std::unique_ptr<Scene> fresh) {
   undo_.clear();
   rebuilt_.reset();
   unbuilt_.reset();
+  if (fresh->dark() != scene_->dark()) views_.set(View::dark, fresh->dark());
   scene_ = std::move(fresh);
   hands_.reset();
   log_read_ = 0;
@@ -359,7 +360,7 @@ void Player::draw() {
     draw_tools();
     panels_.draw(seen);
   };
-  browser_.work(seen.dark());
+  browser_.work(seen.dark() && !scene_->dark());  // pictures are not made anew for a scene on dark ground
   renderer_.draw(scene_->world(), camera_, overlay_);
   overlay_.windows = nullptr;
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {

@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 namespace pantin::player {
 namespace {
 
-constexpr double shown_time = 2.0;    // [s] simulated, unless it takes too long
-constexpr double most_wall = 2.5;     // [s]
+constexpr double most_wall = 5.0;     // [s] for a picture; what is slower is drawn as far as it came
 constexpr double script_limit = 5.0;  // [s]
 
 std::uint64_t hash_of(const std::string& bytes) {
@@ -67,8 +66,9 @@ Portraits::~Portraits() {
   allow_scripts();
 }
 
-void* Portraits::picture(const std::string& path) {
+void* Portraits::picture(const std::string& path, double at) {
   Entry& entry = entries_[path];
+  entry.at = at;
   if (!entry.asked && !entry.tried) {
     entry.asked = true;
     queue_.push_back(path);
@@ -92,10 +92,10 @@ bool Portraits::done() const {
 }
 
 /// Where the picture of a scene as it is now is kept, or empty.
-std::string Portraits::file_of(const std::string& path) const {
+std::string Portraits::file_of(const std::string& path, double at) const {
   if (folder_.empty()) return {};
   char name[40];
-  const std::string key = text(contents(path), PANTIN_VERSION, width, "x", height, dark_);
+  const std::string key = text(contents(path), PANTIN_VERSION, width, "x", height, dark_, at);
   std::snprintf(name, sizeof name, "/%016llx.png", static_cast<unsigned long long>(hash_of(key)));
   return folder_ + name;
 }
@@ -122,12 +122,13 @@ void Portraits::work(bool dark) {
   if (state_ != State::none || queue_.empty()) return;
   const std::string path = queue_.front();
   queue_.pop_front();
-  const std::string file = file_of(path);
   Entry& entry = entries_[path];
+  const std::string file = file_of(path, entry.at);
   if (!file.empty()) entry.texture = Texture::read(file);
   entry.tried = entry.texture.has_value();
   if (entry.tried) return;
   path_ = path;
+  at_ = entry.at;
   given_up_ = false;
   state_ = State::opening;
   lock.unlock();
@@ -141,11 +142,11 @@ void Portraits::draw(const std::string& path, bool keep) {
     camera_ = std::make_unique<Camera>(aim(*scene_, renderer_->stage(), static_cast<double>(width) / height));
   }
   Overlay overlay;
-  overlay.views.set(View::dark, dark_);
+  overlay.views.set(View::dark, dark_ || scene_->dark());
   renderer_->draw(scene_->world(), *camera_, overlay);
   const std::vector<std::uint8_t> pixels = renderer_->read_pixels();
   entries_[path].texture.emplace(pixels, width, height);
-  if (const std::string file = file_of(path); keep && !file.empty()) {
+  if (const std::string file = file_of(path, at_); keep && !file.empty()) {
     std::error_code ignored;
     fs::create_directories(folder_, ignored);
     try {
@@ -165,12 +166,13 @@ void Portraits::run() {
     if (ending_) return;
     const State asked = state_;
     const std::string path = path_;
+    const double at = at_;
     std::unique_ptr<Scene> scene = std::move(scene_);
     std::string error;
     lock.unlock();
     try {
       if (asked == State::opening) scene = lua::open_scene(path, options_);
-      if (asked == State::stepping) step(*scene);
+      if (asked == State::stepping) step(*scene, at);
       if (asked == State::dropping) scene.reset();
     } catch (const std::exception& thrown) { error = thrown.what(); }
     lock.lock();
@@ -183,9 +185,9 @@ void Portraits::run() {
   }
 }
 
-void Portraits::step(Scene& scene) {
+void Portraits::step(Scene& scene, double until) {
   const auto start = std::chrono::steady_clock::now();
-  while (scene.world().time < shown_time && scene.world().failure.empty() && !scene.finished()) {
+  while (scene.world().time < until && scene.world().failure.empty() && !scene.finished()) {
     scene.step();
     const std::lock_guard lock(mutex_);
     const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

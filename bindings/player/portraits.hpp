@@ -28,9 +28,9 @@ class Portraits {
   Portraits(const Portraits&) = delete;
   Portraits& operator=(const Portraits&) = delete;
 
-  /// What Dear ImGui calls the picture of a scene's file; null while there is none. The scenes that are asked for are
-  /// made, in the order of asking.
-  void* picture(const std::string& path);
+  /// What Dear ImGui calls the picture of a scene's file at a time `at` [s] of its own; null while there is none. The
+  /// scenes that are asked for are made, in the order of asking.
+  void* picture(const std::string& path, double at);
   /// Why a scene could not be opened or stepped, or empty.
   const std::string& error(const std::string& path);
   /// A part of the work, between two frames: reads a file or draws a picture. `dark`: on a dark ground.
@@ -46,13 +46,14 @@ class Portraits {
   struct Entry {
     std::optional<Texture> texture;
     std::string error;                  ///< why it could not be opened or stepped
+    double at = 0.0;                    ///< [s] of the scene's time
     bool asked = false, tried = false;  ///< tried: nothing more is to be done
   };
 
   void run();
-  void step(Scene& scene);
+  void step(Scene& scene, double until);
   void draw(const std::string& path, bool keep);
-  std::string file_of(const std::string& path) const;
+  std::string file_of(const std::string& path, double at) const;
 
   SceneOptions options_;
   std::string folder_;
@@ -66,6 +67,7 @@ class Portraits {
   std::condition_variable changed_;
   State state_ = State::none;
   std::string path_;                        ///< in hand
+  double at_ = 0.0;                         ///< the same: time of its picture [s]
   std::unique_ptr<Scene> scene_;            ///< the same
   std::string error_;                       ///< the same
   bool ending_ = false, given_up_ = false;  ///< given up: the scene in hand

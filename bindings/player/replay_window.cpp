@@ -53,6 +53,7 @@ ReplayWindow::ReplayWindow(Recording recording, const RunOptions& options, const
       views_(options.views),
       marked_(ticks_of_acts(replay_.acts())),
       paused_(options.paused) {
+  if (replay_.scene().dark()) views_.set(View::dark, true);
   renderer_.open(replay_.scene().world());
   camera_ = aim(replay_.scene(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }

@@ -50,6 +50,7 @@ class Scene {
   virtual std::optional<double> duration() const = 0;  ///< [s]
   virtual double pace() const = 0;                     ///< simulated s per real s
   virtual CameraWish camera() const = 0;
+  virtual bool dark() const { return false; }  ///< shown on a dark ground
   virtual bool finished() const = 0;
 
   virtual const std::vector<SceneParameter>& parameters() const = 0;

@@ -893,6 +893,7 @@ local Snapshot = {}
 ---@field pace number [1] simulated s per real s (default `1`)
 ---@field history number [s] for how long the states of all steps are kept, for `scene:rewind` (default `0`, none)
 ---@field camera Camera where the scene is seen from (default from where all is seen)
+---@field dark boolean whether it is shown on a dark ground, as what glows wants it (default `false`)
 ---@field saved Saved plain values of yours, which last from one play to the next (read only)
 ---@field contact_sounds boolean|string whether what touches is heard, as hard as it strikes: as its density says (wood, rubber, glass or metal) where it is true, else as the sound of this name (default `false`)
 ---@field store table plain values of yours, which snapshots keep (default `{}`)

@@ -1,57 +1,88 @@
--- A truss bridge of steel bars, springs a thousand times too stiff for ordinary steps. The load grows until a bar breaks.
-local bays = scene:param("bays", 8, { min = 2, max = 40, step = 2, help = "bays of the truss" })
-local stiffness = scene:param("stiffness", 2e7, { min = 1e3, max = 1e9, help = "of a bar, N/m" })
-local strength = scene:param("strength", 6e4, { min = 1e3, max = 1e6, help = "force at which a bar breaks, N" })
+-- A truss bridge of steel bars, springs a thousand times too stiff for ordinary steps, and trucks that cross it, each half as
+-- heavy again as the one before. When a bar breaks, a new bridge is built.
+local weight = scene:param("weight", 1200, { min = 100, max = 1e5, help = "of the first truck, kg" })
+local stiffness = scene:param("stiffness", 2e7, { min = 1e5, max = 1e9, help = "of a bar, N/m" })
+local strength = scene:param("strength", 3.6e4, { min = 1e3, max = 1e6, help = "force at which a bar breaks, N" })
 
-scene.title = "Truss bridge"
-scene.step = 1 / 120
-scene.duration = 10
-scene.camera = { at = vec(0, 1.6, 9.5), look_at = vec(0, -0.2, 0) }
+scene.title, scene.duration = "Truss bridge", 60
+scene.step = 1 / 360
+scene.camera = { at = vec(2.2, 1.2, 10), look_at = vec(0, -0.6, 0) }
 
-local joints = scene:family("joints", { mass = 40, radius = 0.09, color = "#d8dee9" })
-local steel = force.spring { stiffness = stiffness, implicit = true }
-local hold = force.damper { damping = 400 }
-
-local function joint(x, y, z)
-  return scene:particle { at = vec(x, y, z), family = joints }
+-- A river between two banks.
+scene:floor { height = -3, color = "#a9cfe0", layer = "water" }
+scene:collide("water", "falls", false) -- what falls in is gone
+for _, way in ipairs { -1, 1 } do
+  scene:ground { shape = shape.box(8, 3, 3, { at = vec(8.02 * way, -1.5, 0), friction = 0.9 }), color = "#9c9484" }
 end
+
+local joints = scene:family("joints", { mass = 40, radius = 0.08, color = "#d8dee9" })
+local steel = force.spring { stiffness = stiffness, damping = 400, implicit = true }
 local function bar(a, b)
+  if not (a and b) then return end
   scene:connect(a, b, steel, { breaks_at = { force = strength } })
-  scene:connect(a, b, hold)
 end
 
-local bottom, top = {}, {}
-for side = 1, 2 do
-  local z = side == 1 and -0.6 or 0.6
-  bottom[side], top[side] = {}, {}
-  for i = 0, bays do
-    bottom[side][i] = joint(i - bays / 2, 0, z)
-    if i > 0 and i < bays then top[side][i] = joint(i - bays / 2, 1, z) end
-  end
-  for i = 1, bays do
-    local low, high = bottom[side], top[side]
-    bar(low[i - 1], low[i])
-    if high[i] then bar(low[i], high[i]) end
-    if high[i - 1] and high[i] then bar(high[i - 1], high[i]) end
-    if i <= bays / 2 then
-      if high[i] then bar(low[i - 1], high[i]) end
-    else
-      if high[i - 1] then bar(high[i - 1], low[i]) end
+--- Two trusses of eight bays, 1 m each, and over each bay a plate of the road, on hinges.
+local function build()
+  local road, deep = { {}, {} }, { {}, {} }
+  for side, z in ipairs { -0.75, 0.75 } do
+    local r, d = road[side], deep[side]
+    for i = 0, 8 do
+      r[i] = scene:particle { at = vec(i - 4, -0.06, z), family = joints }
+      if i > 0 and i < 8 then d[i] = scene:particle { at = vec(i - 4, -1.1, z), family = joints } end
     end
+    for i = 1, 8 do
+      bar(r[i], d[i])
+      bar(d[i - 1], d[i])
+      if i <= 4 then bar(r[i - 1], d[i]) else bar(d[i - 1], r[i]) end
+    end
+    scene:nail(r[0])
+    scene:on_plane(r[8], { normal = vec(0, 1, 0) }) -- it may slide, as on rollers
   end
-  scene:nail(bottom[side][0])
-  scene:nail(bottom[side][bays])
-end
-for i = 0, bays do
-  bar(bottom[1][i], bottom[2][i])
-  if top[1][i] then bar(top[1][i], top[2][i]) end
-  if i > 0 then bar(bottom[1][i - 1], bottom[2][i]) bar(bottom[2][i - 1], bottom[1][i]) end
-  if top[1][i] and top[1][i - 1] then bar(top[1][i - 1], top[2][i]) bar(top[2][i - 1], top[1][i]) end
+  for i = 1, 8 do
+    bar(road[1][i], deep[2][i])
+    bar(road[2][i], deep[1][i])
+    bar(deep[1][i], deep[2][i])
+    bar(deep[1][i - 1], deep[2][i])
+    bar(deep[2][i - 1], deep[1][i])
+    local plate = scene:box { size = vec(0.99, 0.12, 1.4), at = vec(i - 4.5, -0.06, 0), mass = 60, friction = 0.9, layer = "falls", color = "#6b7280",
+      points = { vec(-0.5, 0, -0.75), vec(0.5, 0, -0.75), vec(-0.5, 0, 0.75), vec(0.5, 0, 0.75) } }
+    for n, point in ipairs(plate.points) do scene:hinge(road[(n + 1) // 2][i - n % 2], point) end
+  end
 end
 
-local middle, whole = { bottom[1][bays / 2], bottom[2][bays / 2] }, true
-scene:on("broke", function() whole = false end)
-scene:on("step", function()
-  for _, p in ipairs(middle) do p:push(vec(0, whole and -6000 * scene.time or 0, 0)) end
+--- A truck with a wheel as wide as itself on each axle.
+local truck, load, whole
+local function drive_up()
+  truck = scene:body { at = vec(-7, 0.45, 0), mass = load, color = "#c2413b", layer = "falls",
+    shapes = { shape.box(1.5, 0.16, 0.8), shape.box(0.4, 0.5, 0.8, { at = vec(0.5, 0.33, 0) }) },
+    points = { vec(-0.5, -0.2, 0), vec(0.5, -0.2, 0) } }
+  for _, point in ipairs(truck.points) do
+    local wheel = scene:cylinder { radius = 0.2, length = 0.9, axis = vec(0, 0, 1), at = point.position, mass = 100, friction = 0.9, layer = "falls",
+                                   color = "#2f343c", points = { vec(0, 0, 0) } }
+    scene:hinge(point, wheel.points[1], { axis = vec(0, 0, 1) })
+    scene:motor(wheel, truck, { axis = vec(0, 0, 1), speed = -9, max_torque = load })
+  end
+end
+local function start()
+  for _, body in ipairs(scene.bodies) do body:remove() end
+  for _, particle in ipairs(scene.particles) do particle:remove() end
+  load, whole = weight, true
+  build()
+  drive_up()
+end
+start()
+scene:on("broke", function()
+  if whole then scene:after(2.5, start) end
+  whole = false
 end)
-scene:probe("sag", function() return -middle[1].position.y end)
+scene:on("step", function()
+  if whole and truck.position.x > 6 then
+    for _, hinge in ipairs(truck.hinges) do for _, body in ipairs(hinge.bodies) do if body ~= truck then body:remove() end end end
+    truck:remove()
+    load = 1.5 * load
+    drive_up()
+  end
+  scene.draw:text(truck.position + vec(-0.4, 1.1, 0), ("%.1f t"):format(load / 1000), { size = 16 })
+end)
+scene:probe("load", function() return load end)

@@ -1,6 +1,6 @@
 -- A brook: drops spring up, run over rocks, turn a wheel, and splash on the floor. They touch what
 -- they meet as small balls.
-local flow = scene:param("flow", 100, { min = 0, max = 2000, help = "drops per second" })
+local flow = scene:param("flow", 60, { min = 0, max = 2000, help = "drops per second" })
 
 scene.title = "Brook"
 scene.step = 1 / 240

@@ -1,11 +1,12 @@
--- Two bodies are drawn to the point P and make a hinge when they meet there; then they are pulled apart, and meet again.
+-- Two sticks are drawn to the point P and make a hinge when they meet there; then they are pulled apart until it breaks, and
+-- meet again. What happens is told above.
 local pull = scene:param("pull", 60, { min = 5, max = 500, help = "force that pulls them apart, N" })
 local strength = scene:param("strength", 30, { min = 1, max = 1000, help = "force at which the hinge breaks, N" })
 
 scene.title = "Combine"
 scene.duration = 24
 scene.gravity = vec(0, 0, 0)
-scene.camera = { at = vec(1.2, 2.8, 6), look_at = vec(0, 1.8, 0) }
+scene.camera = { at = vec(1, 2.8, 7.5), look_at = vec(0, 1.9, 0) }
 
 local P = vec(0, 2, 0)
 
@@ -21,12 +22,16 @@ end
 local a = stick("a", vec(-2.2, 1.2, 0), "#d8573c", vec(0, 0, 0.6))
 local b = stick("b", vec(2.2, 2.6, 0.4), "#2f78b7", vec(0.3, 0.4, -0.5))
 scene:particle { at = P, radius = 0.05, color = "#f0c05a", name = "P" }
+-- The air slows them, so that they stay in the picture.
+scene:field(scene, force.drag { linear = 0.15 })
 
 local meetings, partings = 0, 0
+local says = ""
 
 scene:play(function(wait)
   while true do
     local hinge
+    says = "Their tips are drawn to P"
     scene:join(a.tip, b.tip, {
       at = P, time_constant = 0.1,
       on_met = function(met)
@@ -35,16 +40,22 @@ scene:play(function(wait)
       end,
     })
     wait(function() return hinge end)
-    wait(2)
+    says = "They have met: one hinge is made of two tips"
+    wait(2.5)
+    says = ("They are pulled apart by %.0f N; the hinge bears %.0f N"):format(pull, strength)
     local grips = {
-      scene:follow(a.far, P - vec(3.5, 0, 0), { max_force = pull, time_constant = 0.3 }),
-      scene:follow(b.far, P + vec(3.5, 0, 0), { max_force = pull, time_constant = 0.3 }),
+      scene:follow(a.far, P - vec(2.8, 0, 0), { max_force = pull, time_constant = 0.3 }),
+      scene:follow(b.far, P + vec(2.8, 0, 0), { max_force = pull, time_constant = 0.3 }),
     }
     wait(function() return not hinge.alive end)
     partings = partings + 1
-    wait(0.8)
+    says = "It is broken"
+    wait(1.5)
     for _, grip in ipairs(grips) do grip:remove() end
   end
+end)
+scene:on("step", function()
+  scene.draw:text(vec(20, 20, 0), ("%s\n%d meetings, %d partings"):format(says, meetings, partings), { space = "screen", size = 20 })
 end)
 
 scene:probe("distance of the tips", function()

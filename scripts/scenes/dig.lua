@@ -1,5 +1,5 @@
 -- Stones in a bin, and a shovel that digs in them and tips them out beside it. Press "stop" and drag it yourself.
-local count = scene:param("count", 200, { min = 1, max = 1000, step = 1, help = "stones" })
+local count = scene:param("count", 130, { min = 1, max = 1000, step = 1, help = "stones" })
 local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of stones and shovel" })
 
 scene.title = "Dig"

@@ -5,6 +5,7 @@ local breeze = scene:param("wind", 0.25, { min = -2, max = 2, help = "wind from 
 scene.title = "Fire"
 scene.step = 1 / 120
 scene.duration = 10
+scene.dark = true
 scene.gravity = vec(0, 0, 0) -- the law below says what rises and what falls
 scene.camera = { at = vec(0.4, 1.2, 4.2), look_at = vec(0.1, 0.95, 0) }
 

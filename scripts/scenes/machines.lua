@@ -54,3 +54,9 @@ scene:probe("crank speed", function() return crank.spin.z end)
 scene:probe("torque", function() return motor.torque.z end)
 scene:probe("weight height", function() return weight.position.y end)
 scene:probe("cart speed", function() return cart.velocity:length() end)
+
+local labels = { ["motor and crank"] = vec(-3.5, -0.7, 0), ["slider on a rail"] = vec(-1.7, -0.4, 0), ["weight on a string"] = vec(-0.6, 2, 0),
+                 ["cart on a track"] = vec(1.9, 1.2, 0), ["door that stops at a right angle"] = vec(1.9, -0.9, 0) }
+scene:on("step", function()
+  for label, at in pairs(labels) do scene.draw:text(at, label, { size = 15 }) end
+end)

@@ -17,23 +17,39 @@ local head = scene:family("head", { color = "#2f78b7", radius = 0.45 })
 local tail = scene:family("tail", { color = "#f0c05a", radius = 0.5 })
 
 local amphiphiles = scene:group "amphiphiles"
-local beads = {}
+-- No two beads begin nearer than 0.95: of each the cells of an edge of about 1 around it are searched.
+local cells, across = {}, math.floor(edge)
 local function near(d) return d - edge * math.floor(d / edge + 0.5) end -- to the nearest image
+local function cell(at, dx, dy, dz)
+  local function one(x, d) return (math.floor(x / edge * across) + d) % across end
+  return (one(at.x, dx) * across + one(at.y, dy)) * across + one(at.z, dz)
+end
 local function free(at)
-  for _, bead in ipairs(beads) do
-    local d = bead - at
-    if vec(near(d.x), near(d.y), near(d.z)):length() < 0.95 then return false end
+  for dx = -1, 1 do
+    for dy = -1, 1 do
+      for dz = -1, 1 do
+        for _, bead in ipairs(cells[cell(at, dx, dy, dz)] or {}) do
+          local d = bead - at
+          if vec(near(d.x), near(d.y), near(d.z)):length() < 0.95 then return false end
+        end
+      end
+    end
   end
   return true
 end
+local function put(at)
+  local here = cell(at, 0, 0, 0)
+  cells[here] = cells[here] or {}
+  table.insert(cells[here], at)
+end
 for i = 1, count do
-  local at, turn
+  local at, turn, along
   repeat
     at = edge * vec(math.random(), math.random(), math.random())
     turn = quat(vec(math.random() - 0.5, math.random() - 0.5, math.random() - 0.5), 6.28 * math.random())
-    local along = turn:rotate(vec(1, 0, 0))
+    along = turn:rotate(vec(1, 0, 0))
   until free(at) and free(at - along) and free(at + along)
-  for k = -1, 1 do beads[#beads + 1] = at + k * turn:rotate(vec(1, 0, 0)) end
+  for k = -1, 1 do put(at + k * along) end
   amphiphiles:add(scene:body {
     at = at, orientation = turn,
     points = {

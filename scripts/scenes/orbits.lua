@@ -3,6 +3,7 @@ local dust = scene:param("dust", 400, { min = 0, max = 5000, step = 1, help = "g
 
 scene.title = "Orbits"
 scene.duration = 60
+scene.dark = true
 scene.gravity = vec(0, 0, 0)
 scene.step = 0.002 -- of a year; lengths in astronomical units, masses in suns
 scene.camera = { at = vec(0, 5.5, 7.5), look_at = vec(0, -0.2, 0) }

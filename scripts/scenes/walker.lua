@@ -1,4 +1,5 @@
--- Theo Jansen's walking mechanism: six legs on one crank, in a plane, walk on a floor. Turn its speed, or drag it by any joint.
+-- Theo Jansen's walking mechanism: six legs on one crank, in a plane, walk over steps and up and down slopes. Turn its speed,
+-- or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
 scene.plane, scene.step, scene.contact = "xy", 1 / 480, "exact"
@@ -54,6 +55,13 @@ for n, pin in ipairs(pins) do
     scene:hinge(lower[2], down[2])
   end
 end
-scene:floor { friction = friction, size = 200, color = "#cfd8d3" }
-scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
+-- The way, the same to both sides every 20 m: a step up, level, a slope up, level, a slope down. x and y, m.
+local line = {}
+for piece = -6, 5 do
+  for _, at in ipairs { { 0, 0 }, { 2.98, 0 }, { 3, 0.05 }, { 6, 0.05 }, { 11, 0.55 }, { 13, 0.55 }, { 18.5, 0 } } do
+    line[#line + 1] = vec(20 * piece + at[1], at[2], 0)
+  end
+end
+scene:ground { shape = shape.line(line, { friction = friction }), color = "#9fb38a" }
+scene.camera = { at = vec(0.5, 1.5, 4.6), look_at = vec(0, 0.8, 0), follow = chassis }
 scene:probe("way", function() return chassis.position.x end)

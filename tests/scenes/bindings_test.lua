@@ -46,3 +46,13 @@ test("what had another name once answers to it, and says so once", function()
   for _, line in ipairs(scene.log) do table.insert(told, line.text) end
   expect(table.concat(told, "; ")):equal("'safe_steps' is called 'fallback_steps' now; 'safe_step' is called 'fallback_step' now")
 end)
+
+test("scene.dark is a boolean, false at first", function()
+  local scene = open_text [[
+    local first = scene.dark
+    scene.dark = true
+    scene:result("dark", not first and scene.dark)
+  ]]
+  expect(scene:result "dark"):equal(true)
+  expect(function() open_text "scene.dark = 1" end):fails("dark must be a boolean, got")
+end)

@@ -15,7 +15,7 @@ test("flock: those who flew anyhow come to fly one way", function()
 end)
 
 test("cloth: hangs without a torn thread in calm air, and tears where it is pulled", function()
-  local scene = open("scenes/cloth.lua", { threads = 10, wind = 0 })
+  local scene = open("scenes/cloth.lua", { threads = 10, wind = 0, balls = false })
   scene:advance(2)
   expect(scene:read "torn threads"):equal(0)
   expect(scene.error.worst_constraint):below(1e-12)

@@ -73,7 +73,7 @@ TEST_CASE("browser: a click opens a scene, Esc without one ends the program", "[
   SECTION("click") {
     played.click(150, 150);
     CHECK_FALSE(played.player->browsing());
-    CHECK(played.player->scene().title() == "Auxetic");
+    CHECK(played.player->scene().title() == "Strandbeest");
   }
   SECTION("Esc") {
     pushed::tap(SDLK_ESCAPE);
@@ -102,11 +102,11 @@ TEST_CASE("browser: giving up a picture waits for no script, nor does the end", 
   support::write_file(folder / "endless.lua", "while true do end");
   support::write_file(folder / "good.lua", "scene:particle { at = vec(0, 0, 0) }");
   player::Portraits portraits({}, "");
-  portraits.picture(folder / "endless.lua");
+  portraits.picture(folder / "endless.lua", 2.0);
   portraits.work(false);
   portraits.rest();
   CHECK(portraits.done());
-  portraits.picture(folder / "good.lua");
+  portraits.picture(folder / "good.lua", 2.0);
   portraits.work(false);
   CHECK_FALSE(portraits.done());  // its turn comes after the endless one
 }
@@ -125,6 +125,22 @@ TEST_CASE("browser: scenes are told by title and first comment, what is no scene
   CHECK(scenes[1].about == "One: two three.");
   CHECK(player::find_entry(scenes, folder / "b.lua") == 1);
   CHECK(player::find_entry(scenes, folder / "d.lua") == 2);
+}
+
+TEST_CASE("browser: scenes are in the order of the folder's list, then by name, and it says when a picture is taken",
+          "[window]") {
+  support::Folder folder;
+  for (const char* name : {"a", "b", "c", "d"})
+    support::write_file(folder / (std::string(name) + ".lua"), "scene.step = 1");
+  support::write_file(folder / "order.txt", "c 6.5\n\nmissing 3\nb\n");
+  std::string names;
+  std::vector<double> at;
+  for (const player::SceneEntry& scene : player::list_scenes({folder.path})) {
+    names += scene.name;
+    at.push_back(scene.portrait_at);
+  }
+  CHECK(names == "cbad");
+  CHECK(at == std::vector{6.5, 2.0, 2.0, 2.0});
 }
 
 TEST_CASE("opening: Esc stops a scene that does not come to its end, and the old one goes on", "[window]") {

@@ -62,6 +62,12 @@ std::vector<Field> show_settings() {
        }},
       {"camera", "Camera", "", "where the scene is seen from (default from where all is seen)",
        [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::camera, 1, 1, 1)); }, write_camera},
+      {"dark", "boolean", "", "whether it is shown on a dark ground, as what glows wants it (default `false`)",
+       [](const Self& s) { lua_pushboolean(s.state, s.script.dark); },
+       [](const Self& s, int i) {
+         require(lua_isboolean(s.state, i), "scene: dark must be a boolean, got ", kind_of_value(s.state, i));
+         s.script.dark = lua_toboolean(s.state, i) != 0;
+       }},
       {"saved", "Saved", "", "plain values of yours, which last from one play to the next",
        [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::saved, 1, 1, 1)); }, nullptr},
       {"contact_sounds", "boolean|string", "",

@@ -7,7 +7,7 @@ namespace pantin::lua {
 /// Takes a table of what is wished of the camera.
 void write_camera(const Self& s, int index);
 
-/// How it is shown and run: title, duration, pace, camera, store, saved, contact_sounds.
+/// How it is shown and run: title, duration, pace, camera, dark, store, saved, contact_sounds.
 std::vector<Field> show_settings();
 
 }  // namespace pantin::lua

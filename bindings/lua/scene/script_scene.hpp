@@ -20,6 +20,7 @@ class ScriptScene final : public Scene {
   std::optional<double> duration() const override { return script_.duration; }
   double pace() const override { return script_.pace; }
   CameraWish camera() const override { return script_.camera; }
+  bool dark() const override { return script_.dark; }
   bool finished() const override { return script_.finished; }
 
   const std::vector<SceneParameter>& parameters() const override { return script_.parameters; }

@@ -79,8 +79,8 @@ void visit_callbacks(Heap& heap, A& a, std::map<std::string, Callback>& callback
 template <class Heap, class A>
 void visit_script(Heap& heap, A& a, Script& s) {
   each(a, s.title, s.duration, s.pace, s.camera.at, s.camera.look_at, s.camera.follow, s.camera.zoom, s.camera.ease,
-       s.finished, s.next, s.controls, s.contact_sounds, s.parameters, s.buttons, s.results, s.drawings, s.cancelled,
-       s.fixed, s.subscribed, s.history);
+       s.dark, s.finished, s.next, s.controls, s.contact_sounds, s.parameters, s.buttons, s.results, s.drawings,
+       s.cancelled, s.fixed, s.subscribed, s.history);
   visit_callbacks(heap, a, s.on_change);
   visit_callbacks(heap, a, s.button_functions);
   std::size_t size = visit_size(a, s.subscriptions.size());

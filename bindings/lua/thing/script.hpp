@@ -47,6 +47,7 @@ struct ScriptData {
   std::optional<double> duration;  ///< [s]
   double pace = 1.0;               ///< simulated s per real s
   CameraWish camera;
+  bool dark = false;  ///< shown on a dark ground
   bool finished = false;
   std::string next;            ///< scene to be opened when the step is done, or empty
   std::string contact_sounds;  ///< what touches is heard as: "", "by material", or a sound's name
