@@ -134,6 +134,19 @@ void add_state(CLI::App& app, RunOptions& scene) {
   app.add_option("--save-to", scene.save_to, "File for that [the scene's name.pantin]")->type_name("FILE");
 }
 
+/// `pantin test fuzz`.
+CLI::App* add_fuzz(CLI::App& test, FuzzOptions& fuzz) {
+  CLI::App* command = test.add_subcommand(
+      "fuzz", "Runs random scenes, and keeps as small as they can be those that crash or break a promise");
+  command->add_option("--seconds", fuzz.seconds, "Real time, s")->check(check_number)->capture_default_str();
+  command->add_option("--seed", fuzz.seed, "Of the first scene")->capture_default_str()->type_name("S");
+  command->add_option("--out", fuzz.folder, "Folder for what is found")
+      ->check(CLI::ExistingDirectory)
+      ->default_str("tests/corpus")
+      ->type_name("DIR");
+  return command;
+}
+
 /// What belongs together of that.
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
@@ -231,6 +244,7 @@ Options read_options(int argc, const char* const* argv) {
   add_limits(*report, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
+  CLI::App* fuzz = add_fuzz(*test, options.fuzz);
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
@@ -265,6 +279,7 @@ Options read_options(int argc, const char* const* argv) {
                     : *test   ? Command::test
                               : Command::bench;
   if (*meta) options.command = Command::meta;
+  if (*fuzz) options.command = Command::fuzz;
   if (*run) settle_state(options.run);
   return options;
 }
