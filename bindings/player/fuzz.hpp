@@ -15,8 +15,8 @@ struct FuzzOptions {
 
 /// What a scene does not keep; nothing found has no kind.
 struct Find {
-  std::string
-      kind;  ///< "crash", "slow", "exception", "not_finite", "repeat", "threads", "snapshot", "save", "gap", "energy"
+  /// "crash", "slow", "exception", "not_finite", "repeat", "threads", "snapshot", "save", "gap", "energy", "ledger".
+  std::string kind;
   std::string text;
 };
 

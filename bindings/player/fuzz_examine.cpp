@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "lua/scene/open.hpp"
+#include "measure/hits.hpp"
 #include "measure/ledger_closure.hpp"
 #include "measure/measure.hpp"
 #include "player/fuzz.hpp"
@@ -99,7 +100,13 @@ Find look_at_energy(const World& world, double kinetic_at_start) {
   return {};
 }
 
-/// Keeping the ledger and measuring change nothing.
+/// Asked by the window where the mouse is, and by panels.
+void ask(World& world) {
+  hits_of_endless_ray(world, vec(-9, 4, 7), vec(1, -0.4, -0.7));
+  overlapping(world, BallShape{1.0}, {});
+}
+
+/// Keeping the ledger, measuring and asking change nothing.
 Find look_at_run(const std::string& source, const std::string& home, const Course& first) {
   const auto scene = open_fuzzed(source, home, 1);
   World& world = scene->world();
@@ -109,6 +116,7 @@ Find look_at_run(const std::string& source, const std::string& home, const Cours
   Course course;
   go_on(*scene, fuzz_steps, course, [&] {
     if (find.kind.empty()) find = look_at_state(world);
+    ask(world);
   });
   if (course != first) return {"repeat", "measured: " + difference(first, course)};
   if (find.kind.empty() && course.stopped.empty() && source.find("surface_velocity") == std::string::npos)

@@ -1,5 +1,5 @@
 -- Writes a random scene: the text is its result "source", one statement a line, so that lines can be dropped one by one.
--- Each statement is tried by itself; what the engine refuses with an error is passed over, and told as the result "refused".
+-- Each statement is tried by itself; what the engine refuses with an error is passed over.
 -- What events make gets a new name, so that a scene that goes back in time finds what it had then.
 
 scene.seed = scene:param("seed", 1)
