@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "player/fuzz.hpp"
+#include "player/soak.hpp"
 #include "scene/options.hpp"
 #include "view/views.hpp"
 
@@ -41,12 +42,13 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, fuzz, bench, meta };
+  enum class Command { none, play, run, replay, report, test, fuzz, soak, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
   bool peers = false;                  ///< of `bench`
   FuzzOptions fuzz;
+  SoakOptions soak;
   std::string prefix;  ///< of the files that `report` writes; empty: after the scene
 };
 
