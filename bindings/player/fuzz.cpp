@@ -1,5 +1,6 @@
 #include "player/fuzz.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // `pantin test fuzz`, for a moment; and that what it found once stays mended.
 #include "player/fuzz.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 
