@@ -134,6 +134,26 @@ void add_state(CLI::App& app, RunOptions& scene) {
   app.add_option("--save-to", scene.save_to, "File for that [the scene's name.pantin]")->type_name("FILE");
 }
 
+/// `pantin test fuzz`.
+void add_fuzz(CLI::App& test, FuzzOptions& fuzz) {
+  CLI::App* command = test.add_subcommand(
+      "fuzz", "Runs random scenes, and keeps as small as they can be those that crash or break a promise");
+  command->add_option("--seconds", fuzz.seconds, "Real time, s")->check(check_number)->capture_default_str();
+  command->add_option("--seed", fuzz.seed, "Of the first scene")->capture_default_str()->type_name("S");
+  command->add_option("--out", fuzz.folder, "Folder for what is found")
+      ->check(CLI::ExistingDirectory)
+      ->default_str("tests/corpus")
+      ->type_name("DIR");
+}
+
+/// `pantin test soak`.
+void add_soak(CLI::App& test, SoakOptions& soak) {
+  CLI::App* command =
+      test.add_subcommand("soak", "Runs scenes for long: whether memory, time, energy and gaps stay as they began");
+  command->add_option("--scene", soak.scene, "A scene's file, or the name of a shipped one [all shipped ones]");
+  command->add_option("--steps", soak.steps, "Of each scene [an hour of simulated time]")->type_name("N");
+}
+
 /// What belongs together of that.
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
@@ -141,6 +161,19 @@ void settle_state(RunOptions& run) {
   if (!run.save_to.empty() && !run.save_at) throw UsageError("--save-to needs --save-at, the time to save at");
   if (run.save_at && run.save_to.empty())
     run.save_to = std::filesystem::path(run.from.empty() ? run.scene : run.from).stem().string() + state_ending;
+}
+
+Options::Command command_of(const CLI::App& app) {
+  using Command = Options::Command;
+  constexpr std::pair<const char*, Command> commands[] = {
+      {"play", Command::play},     {"run", Command::run},     {"replay", Command::replay},
+      {"report", Command::report}, {"test", Command::test},   {"fuzz", Command::fuzz},
+      {"soak", Command::soak},     {"bench", Command::bench}, {"meta", Command::meta}};
+  const CLI::App* used = app.get_subcommands().front();
+  if (!used->get_subcommands().empty()) used = used->get_subcommands().front();
+  for (const auto& [name, command] : commands)
+    if (used->get_name() == name) return command;
+  return Command::none;
 }
 
 [[noreturn]] void refuse_command(const std::string& command) {
@@ -231,6 +264,8 @@ Options read_options(int argc, const char* const* argv) {
   add_limits(*report, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
+  add_fuzz(*test, options.fuzz);
+  add_soak(*test, options.soak);
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
@@ -257,14 +292,7 @@ Options read_options(int argc, const char* const* argv) {
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
   if (!texts.views.empty()) options.run.views = read_views(texts.views);
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
-  using Command = Options::Command;
-  options.command = *play     ? Command::play
-                    : *run    ? Command::run
-                    : *replay ? Command::replay
-                    : *report ? Command::report
-                    : *test   ? Command::test
-                              : Command::bench;
-  if (*meta) options.command = Command::meta;
+  options.command = command_of(app);
   if (*run) settle_state(options.run);
   return options;
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "player/fuzz.hpp"
+#include "player/soak.hpp"
 #include "scene/options.hpp"
 #include "view/views.hpp"
 
@@ -40,12 +42,14 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, bench, meta };
+  enum class Command { none, play, run, replay, report, test, fuzz, soak, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
   bool peers = false;                  ///< of `bench`
-  std::string prefix;                  ///< of the files that `report` writes; empty: after the scene
+  FuzzOptions fuzz;
+  SoakOptions soak;
+  std::string prefix;  ///< of the files that `report` writes; empty: after the scene
 };
 
 /// Reads the command line. Help and version are printed and leave Command::none; wrong use throws UsageError.

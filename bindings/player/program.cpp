@@ -35,6 +35,8 @@ int do_command(const Options& options) {
     case Options::Command::replay: return replay(options.run, options.run.record, find_home());
     case Options::Command::report: return report(options.run, options.prefix, find_home());
     case Options::Command::test: return test(options.arguments, find_home());
+    case Options::Command::fuzz: return fuzz(options.fuzz, find_home());
+    case Options::Command::soak: return soak(options.soak, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta:
       std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference() + key_reference());

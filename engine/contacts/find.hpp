@@ -55,7 +55,7 @@ struct SolidPoint {
   bool among_others;  ///< may touch other points, too
 };
 
-/// What finding contacts keeps to be quick: nothing that its result depends on.
+/// What finding contacts keeps; of it, its result depends on `ShapesThen` alone.
 struct ContactFinder {
   BroadPhase broad_phase;                                     ///< of shapes
   BroadPhase points;                                          ///< of solid points that may touch others (slots)
@@ -76,6 +76,16 @@ struct ContactFinder {
   bool displaced = false;               ///< shapes were, a little, since they were put there
 };
 
+/// Where shapes were when they were looked at last, from which what is pushed before the next drift is looked for.
+struct ShapesThen {
+  std::vector<ShapeNow> shapes;     ///< (slots of shapes)
+  std::vector<Going> going;         ///< (slots of bodies, then of points)
+  double ahead = 1.0;               ///< as of the finder
+  std::uint64_t sleep_changes = 0;  ///< as of the finder
+  bool displaced = false;           ///< as of the finder
+  bool known = false;               ///< there were any, and no edit came since
+};
+
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.
 struct ThingsNow {
   const Model& model;
@@ -91,6 +101,10 @@ struct ThingsNow {
 bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 /// Puts the bounds of all shapes where they are.
 void put_bounds(const ThingsNow& where, ContactFinder& finder);
+/// For a state that is kept; `finder` may be null.
+void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& kept);
+/// Makes the finder anew as it was then; none where they were not known.
+void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then);
 /// Finds all contacts anew; those that were there before keep their impulses.
 void find_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);
 /// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes; what

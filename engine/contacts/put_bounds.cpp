@@ -35,35 +35,37 @@ ShapeNow locate(const ThingsNow& p, const ContactFinder& finder, const Shape& sh
   return now;
 }
 
-void put(const ThingsNow& p, ContactFinder& finder, std::uint32_t s) {
-  const Shape& shape = p.model.shapes.at_slot(s);
-  const ShapeNow& now = finder.shapes_now[s] = locate(p, finder, shape);
+void put(const Model& m, ContactFinder& finder, std::uint32_t s) {
+  const Shape& shape = m.shapes.at_slot(s);
+  const ShapeNow& now = finder.shapes_now[s];
   const double slack = now.moves ? now.margin + 0.1 * now.thickness : 0.0;
   const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
   finder.broad_phase.put({widened(bounds_of(shape.geometry, now.pose), now.margin), s, now.moves, owner}, slack);
 }
 
-void put_all(const ThingsNow& p, ContactFinder& finder) {
-  const Store<Shape>& shapes = p.model.shapes;
-  finder.shapes_now.resize(shapes.slots());
-  finder.serials.resize(shapes.slots(), 0);
-  finder.going.assign(p.model.bodies.slots() + (p.model.solids ? p.model.points.slots() : 0), Going{});
+/// All shapes; `find(slot)` says where one is.
+template <class Find>
+void put_all(const Model& m, ContactFinder& finder, std::uint64_t sleep_changes, Find find) {
+  finder.shapes_now.resize(m.shapes.slots());
+  finder.serials.resize(m.shapes.slots(), 0);
+  finder.going.assign(m.bodies.slots() + (m.solids ? m.points.slots() : 0), Going{});
   finder.height_fields.clear();
   finder.moving.clear();
-  for (std::uint32_t s = 0; s < shapes.slots(); s++) {
-    const bool alive = shapes.alive_at(s);
-    if (finder.serials[s] != 0 && (!alive || finder.serials[s] != shapes.at_slot(s).serial))
+  for (std::uint32_t s = 0; s < m.shapes.slots(); s++) {
+    const bool alive = m.shapes.alive_at(s);
+    if (finder.serials[s] != 0 && (!alive || finder.serials[s] != m.shapes.at_slot(s).serial))
       finder.broad_phase.remove(s);
-    finder.serials[s] = alive ? shapes.at_slot(s).serial : 0;
+    finder.serials[s] = alive ? m.shapes.at_slot(s).serial : 0;
     if (!alive) continue;
-    const Shape& shape = shapes.at_slot(s);
+    const Shape& shape = m.shapes.at_slot(s);
     if (std::holds_alternative<std::shared_ptr<const HeightField>>(shape.geometry)) finder.height_fields.push_back(s);
-    put(p, finder, s);
+    finder.shapes_now[s] = find(s);
+    put(m, finder, s);
     if (finder.shapes_now[s].moves) finder.moving.push_back(s);
     if (shape.body) finder.going[shape.body.slot - 1] = finder.shapes_now[s].going;
   }
   finder.changed = false;
-  finder.sleep_changes = p.contacts.sleep_changes;
+  finder.sleep_changes = sleep_changes;
 }
 
 }  // namespace
@@ -75,9 +77,34 @@ Pose pose_of(const Model& m, const Shape& shape) {
 }
 
 void put_bounds(const ThingsNow& p, ContactFinder& finder) {
+  const auto find = [&](std::uint32_t s) { return locate(p, finder, p.model.shapes.at_slot(s)); };
   finder.displaced = false;
-  if (finder.changed || finder.sleep_changes != p.contacts.sleep_changes) return put_all(p, finder);
-  for (const std::uint32_t s : finder.moving) put(p, finder, s);
+  if (finder.changed || finder.sleep_changes != p.contacts.sleep_changes)
+    return put_all(p.model, finder, p.contacts.sleep_changes, find);
+  for (const std::uint32_t s : finder.moving) {
+    finder.shapes_now[s] = find(s);
+    put(p.model, finder, s);
+  }
+}
+
+void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& kept) {
+  kept.known = finder && !finder->changed && !model.places_changed;
+  if (!kept.known) return;
+  kept.shapes = finder->shapes_now;
+  kept.going = finder->going;
+  kept.ahead = finder->ahead;
+  kept.sleep_changes = finder->sleep_changes;
+  kept.displaced = finder->displaced;
+}
+
+void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then) {
+  finder.reset();
+  if (!then.known) return;
+  renew(finder, model);
+  put_all(model, *finder, then.sleep_changes, [&](std::uint32_t s) { return then.shapes[s]; });
+  finder->going = then.going;
+  finder->ahead = then.ahead;
+  finder->displaced = then.displaced;
 }
 
 }  // namespace pantin

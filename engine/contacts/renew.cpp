@@ -111,6 +111,7 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model) {
   model.places_changed = false;
   if (!changed) return false;
   finder->changed = true;
+  finder->ahead = 1.0;
   finder->tied = tied_things(model);
   finder->hinged = hinged_pairs(model);
   const std::vector<SolidPoint> before = std::exchange(finder->solids, solid_points(model));

@@ -16,6 +16,7 @@ struct Snapshot::Held {
   WorldData data;
   std::vector<Articulate> articulates;
   std::optional<Forces> forces;
+  ShapesThen shapes;
 };
 
 namespace {
@@ -57,6 +58,7 @@ void take_snapshot(const World& world, Snapshot& into) {
   held.data = world;
   held.articulates.resize(world.articulates.size());
   for (std::size_t i = 0; i < held.articulates.size(); i++) held.articulates[i] = *world.articulates[i];
+  keep_shapes(world.contact_finder.get(), world, held.shapes);
   held.forces.reset();
   if (world.forces) held.forces.emplace(*world.forces);
 }
@@ -82,7 +84,7 @@ void restore(World& world, const Snapshot& snapshot) {
   const Snapshot::Held& held = *snapshot.held_;
   tell_events(world.choreography.events, held.data.choreography.events);
   static_cast<WorldData&>(world) = held.data;
-  world.contact_finder.reset();  // it knows who is tied
+  put_back(world.contact_finder, world, held.shapes);
   world.articulates.resize(held.articulates.size());
   for (std::size_t i = 0; i < held.articulates.size(); i++)
     if (world.articulates[i])

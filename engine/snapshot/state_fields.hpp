@@ -157,11 +157,12 @@ void visit_own(A& a, const RowRule*& rule) {
   require(index < all_row_rules.size(), "it names a kind of row that there is not");
   rule = all_row_rules[index];
 }
-/// Given anew before each step, as what is in a slab by its list.
+/// Of its constraint, once all is read.
 template <class A>
 void visit_own(A&, const Path*& path) {
   if constexpr (A::reads) path = nullptr;
 }
+/// Given anew before each step by its list.
 template <class A>
 void visit_own(A&, const std::uint32_t*& list) {
   if constexpr (A::reads) list = nullptr;

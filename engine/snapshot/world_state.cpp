@@ -38,12 +38,21 @@ void visit_touch(A& a, World& world) {
 }
 
 template <class A>
+void visit_finder(A& a, World& world) {
+  ShapesThen shapes;
+  keep_shapes(world.contact_finder.get(), world, shapes);
+  visit(a, shapes);
+  if constexpr (A::reads) put_back(world.contact_finder, world, shapes);
+}
+
+template <class A>
 void visit_all_of(A& a, World& world) {
   a.world = &world;
   visit(a, static_cast<WorldData&>(world));
   visit_articulates(a, world);
   visit_forces(a, world);
   visit_touch(a, world);
+  visit_finder(a, world);
 }
 
 /// Laws of solved connections are told what they read, as when a snapshot is restored.
@@ -55,6 +64,14 @@ void tell_solved(World& world) {
   for (std::size_t i = 0; i < rests.size(); i++) world.articulates[i]->rest = rests[i];
 }
 
+/// A kick may ask for them before the next step's conditions are loaded.
+void give_paths(World& world) {
+  for (const auto& articulate : world.articulates)
+    for (Condition& c : articulate->conditions)
+      if (world.constraints.alive(c.constraint))
+        if (const auto* data = std::get_if<PathData>(&world.constraints[c.constraint].own)) c.path = data->path.get();
+}
+
 }  // namespace
 
 void visit_world(Writer& to, World& world) { visit_all_of(to, world); }
@@ -62,6 +79,7 @@ void visit_world(Writer& to, World& world) { visit_all_of(to, world); }
 void visit_world(Reader& from, World& world) {
   world.contact_finder.reset();
   visit_all_of(from, world);
+  give_paths(world);
   tell_solved(world);
 }
 
@@ -69,7 +87,7 @@ void visit_law(Writer& to, std::shared_ptr<const Law>& law) { visit(to, law); }
 void visit_law(Reader& from, std::shared_ptr<const Law>& law) { visit(from, law); }
 
 std::uint64_t layout_of_state() {
-  constexpr std::uint64_t version = 1;
+  constexpr std::uint64_t version = 2;
   Hash hash;
   for (const std::uint64_t part :
        {version, sizeof(WorldData), sizeof(Articulate), sizeof(Forces), sizeof(Row), sizeof(Condition), sizeof(Node),

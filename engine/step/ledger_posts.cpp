@@ -38,11 +38,11 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
   m.told = outside(world) + l.laws + l.given[number(Source::projection)] + l.given[number(Source::fallback_step)] +
            l.given[number(Source::unsolved)];
   const Vec3 gravity = world.settings.gravity;
-  const bool kicks = rule_of(world).kicks;
+  double kicked = 0.0;  // of what falls in kicks, not in drifts
   for (std::size_t i = 0; i < world.loose_points.size(); i++) {
     const FreeMotion& free = world.free_motion[world.loose_points[i]];
     m.kinetic += 0.5 * world.loose_masses[i] * norm2(free.v);
-    if (!kicks) m.falling -= world.loose_masses[i] * dot(gravity, free.x);
+    kicked -= world.loose_masses[i] * dot(gravity, free.x);
   }
   const auto add = [&](double kinetic, double mass, Vec3 position) {
     m.kinetic += kinetic;
@@ -62,6 +62,8 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
         add(0.5 * n.mass * norm2(free.v), n.mass, free.x);
       }
     }
+  m.all_falling = m.falling + kicked;
+  if (!rule_of(world).kicks) m.falling = m.all_falling;
   return m;
 }
 

@@ -7,10 +7,11 @@ namespace pantin {
 
 /// State before a stage of a step, for what it posts. Nothing is measured where the ledger is not kept.
 struct LedgerMark {
-  double kinetic = 0.0;  ///< [J]
-  double falling = 0.0;  ///< [J] potential energy in gravity of what no kick gives it
-  double told = 0.0;     ///< [J] posted so far, but for gravity, return and the integrator
-  double size = 0.0;     ///< [J] sum of magnitudes of energies
+  double kinetic = 0.0;      ///< [J]
+  double falling = 0.0;      ///< [J] potential energy in gravity of what no kick gives it
+  double all_falling = 0.0;  ///< [J] the same of all
+  double told = 0.0;         ///< [J] posted so far, but for gravity, return and the integrator
+  double size = 0.0;         ///< [J] sum of magnitudes of energies
 };
 /// `drifted`: what is tied has its state in the articulates.
 LedgerMark ledger_mark(const World& world, bool drifted);

@@ -90,6 +90,15 @@ TEST_CASE("state_file: every scene that ships goes on to the same bits, for a se
   }
 }
 
+TEST_CASE("state_file: a point on a path in wind goes on, whose kick asks for the path before its step begins") {
+  check_goes_on(*open(R"(
+    local rod = scene:body { mass = 1000, inertia = vec(0.01, 0.1, 0.1), points = { tip = vec(0.5, 0, 0) } }
+    scene:field(scene, force.wind { velocity = vec(-0.5, 4, 0.2), linear = 0.3, quadratic = 0.1 })
+    scene:on_path(rod.tip, { rod.tip.position, vec(-6, 1, -2), vec(-9, -1, -3) }, { smooth = true })
+  )"),
+                20);
+}
+
 TEST_CASE("state_file: counters in locals, shared by functions and changed in mid-run, go on") {
   check_says_the_same(R"(
     local count, list, name = 0, { 1, deep = { at = vec(1, 2, 3) } }, "a"

@@ -90,6 +90,20 @@ TEST_CASE("options: tests and benchmarks take names") {
   CHECK(read({"bench", "forces", "--peers"}).peers);
 }
 
+TEST_CASE("options: tests of random scenes and of long runs") {
+  const Options fuzz = read({"test", "fuzz", "--seconds", "5", "--seed", "12"});
+  CHECK(fuzz.command == Options::Command::fuzz);
+  CHECK(fuzz.fuzz.seconds == 5.0);
+  CHECK(fuzz.fuzz.seed == 12);
+  const Options soak = read({"test", "soak", "--scene", "chain", "--steps", "1000"});
+  CHECK(soak.command == Options::Command::soak);
+  CHECK(soak.soak.scene == "chain");
+  CHECK(soak.soak.steps == 1000);
+  CHECK(read({"test", "soak"}).soak.scene.empty());
+  CHECK(read({"test", "a_test.lua"}).command == Options::Command::test);
+  CHECK_THROWS_WITH(read({"test", "fuzz", "--seconds", "long"}), Contains("--seconds"));
+}
+
 TEST_CASE("options: wrong use names what is wrong and what is allowed") {
   CHECK_THROWS_AS(read({}), UsageError);
   CHECK_THROWS_WITH(read({"dance"}), Contains("dance"));

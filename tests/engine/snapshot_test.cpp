@@ -1,5 +1,6 @@
 // A run goes on from a restored snapshot to the same bits, whatever happened in between.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "choreography/choreography.hpp"
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
@@ -87,6 +89,28 @@ void make_melt(World& world) {
   add_interaction(world, law_of("lennard_jones", {{"epsilon", 1.0}, {"sigma", 1.0}}, 2.5), family, family);
 }
 
+BodyId add_box(World& world, Vec3 at, Vec3 velocity) {
+  ShapeDef box;
+  box.geometry = BoxShape{vec(0.25, 0.1, 0.1)};
+  BodyDef body;
+  body.shapes = {box};
+  body.at = at;
+  body.velocity = velocity;
+  return add_body(world, body);
+}
+
+/// Boxes that push others into what they would not have met by themselves.
+void make_pushed(World& world) {
+  ShapeDef floor;
+  floor.geometry = HalfSpaceShape{};
+  floor.orientation = {std::sqrt(0.5), -std::sqrt(0.5), 0, 0};
+  add_shape(world, floor);
+  Random random{5};
+  for (int i = 0; i < 30; i++)
+    add_box(world, vec(0.6 * (i % 6), 0.15 + 0.3 * (i / 6), 0.0),
+            vec(40 * random.uniform() - 20, 40 * random.uniform() - 20, 4 * random.uniform() - 2));
+}
+
 struct Case {
   std::string name;
   std::function<void(World&)> make;
@@ -103,6 +127,7 @@ std::vector<Case> all_cases() {
       {"busy", make_busy},
       {"springs", make_springs},
       {"melt", make_melt},
+      {"pushed", make_pushed},
       {"accuracy",
        [](World& world) {
          cases::add_chain(world);
@@ -179,6 +204,18 @@ TEST_CASE("snapshot: an edit that still waits for its step is part of it") {
   const cases::Chain chain = cases::add_chain(world);
   hashes(world, 20);
   cut(world, chain.hinges[4]);
+  const Snapshot snapshot = take_snapshot(world);
+  const std::vector<std::uint64_t> first = hashes(world, 40);
+  restore(world, snapshot);
+  CHECK(hashes(world, 40) == first);
+}
+
+TEST_CASE("snapshot: shapes that wait for their first step are part of it") {
+  World world;
+  make_pushed(world);
+  hashes(world, 20);
+  for (int i = 0; i < 50; i++) add_box(world, vec(0.3 * i, 3.0, 0.1 * i), zero3());
+  remove(world, world.bodies.ids()[2]);
   const Snapshot snapshot = take_snapshot(world);
   const std::vector<std::uint64_t> first = hashes(world, 40);
   restore(world, snapshot);

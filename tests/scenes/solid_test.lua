@@ -85,3 +85,15 @@ test("brook: drops run over the bed and not through it, and the wheel turns with
   expect(brook:read "spin of the wheel"):above(0.2)
   expect(brook:read "drops"):above(300)
 end)
+
+test("solid: what is pushed out of a floor is in the ledger", function()
+  local scene = open_text [[
+    scene:floor { height = 0 }
+    local grains = scene:family("grains", { solid = true, radius = 0.1, mass = 2 })
+    scene:particle { at = vec(0, -0.3, 0), velocity = vec(0.4, 0.3, -0.8), family = grains }
+  ]]
+  local _ = scene.ledger.closure
+  scene:advance(0.02)
+  expect(scene.ledger.push_out):above(0.01)
+  expect(scene.ledger.closure):below(1e-10)
+end)

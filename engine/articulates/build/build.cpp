@@ -247,6 +247,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   lay_out_batches(a);
   find_tiles(a);
   history.inherit(a, order.things);
+  load_conditions(a, model);  // a kick may ask for them before the step's drift does
   return articulate;
 }
 

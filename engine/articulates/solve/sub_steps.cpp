@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint16_t long_quiet = 64;  // steps after which half as many sub-steps are tried
 constexpr std::uint16_t longest_wait = 64;
 constexpr double turn_at_once = 1.0;  // [rad] that a body without rows turns by at once
-constexpr double faster = 1.1;     // than at the last trial: then there is another
+constexpr double faster = 1.1;        // than at the last trial: then there is another
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
 

@@ -1,0 +1,108 @@
+#include "player/fuzz.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "lua/scene/open.hpp"
+#include "player/output.hpp"
+#include "scene/errors.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr double minimise_seconds = 120.0;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string one_line(std::string message) {
+  std::ranges::replace(message, '\n', ' ');
+  return message;
+}
+
+/// Leaves out what is not needed, and writes the rest. Returns the file.
+std::string keep_find(std::vector<std::string> statements, const Find& find, std::uint64_t seed,
+                      const std::string& folder, const std::string& home) {
+  statements = smallest(
+      std::move(statements),
+      [&](const std::vector<std::string>& some) { return examine(fuzz_source(some), home).kind == find.kind; },
+      minimise_seconds);
+  const std::string path = std::filesystem::path(folder) / text(find.kind, "_", seed, ".lua");
+  Output output(path);
+  output.write(text("-- ", find.kind, ", seed ", seed, ": ", one_line(find.text), "\n", fuzz_source(statements)));
+  output.keep();
+  return path;
+}
+
+}  // namespace
+
+std::vector<std::string> random_scene(std::uint64_t seed, const std::string& home) {
+  SceneOptions options;
+  options.home = home;
+  options.set["seed"] = std::to_string(seed);
+  const auto scene = lua::open_scene(std::filesystem::path(home) / "tests" / "fuzz" / "random_scene.lua", options);
+  std::istringstream source(std::get<std::string>(scene->results().at("source")));
+  std::vector<std::string> statements;
+  for (std::string line; std::getline(source, line);) statements.push_back(line);
+  return statements;
+}
+
+std::string fuzz_source(const std::vector<std::string>& statements) {
+  std::string source = "local t = {}\nlocal function try(f) return pcall(f) end\n";
+  for (const std::string& statement : statements) source += statement + "\n";
+  return source;
+}
+
+std::vector<std::string> smallest(std::vector<std::string> statements,
+                                  const std::function<bool(const std::vector<std::string>&)>& fails, double seconds) {
+  const Stopwatch watch;
+  std::size_t part = statements.size();
+  while (part > 0 && watch.seconds() < seconds) {
+    bool dropped = false;
+    for (std::size_t from = 0; from < statements.size() && watch.seconds() < seconds;) {
+      std::vector<std::string> rest(statements.begin(), statements.begin() + static_cast<std::ptrdiff_t>(from));
+      const std::size_t to = std::min(from + part, statements.size());
+      rest.insert(rest.end(), statements.begin() + static_cast<std::ptrdiff_t>(to), statements.end());
+      if (fails(rest)) {
+        statements = std::move(rest);
+        dropped = true;
+      } else {
+        from = to;
+      }
+    }
+    if (!dropped || part > 1) part /= 2;
+  }
+  return statements;
+}
+
+int fuzz(const FuzzOptions& options, const std::string& home) {
+  const std::string folder =
+      options.folder.empty() ? (std::filesystem::path(home) / "tests" / "corpus").string() : options.folder;
+  const Stopwatch watch;
+  std::uint64_t scenes = 0;
+  int finds = 0;
+  for (std::uint64_t seed = options.seed; watch.seconds() < options.seconds; seed++, scenes++) {
+    const std::vector<std::string> statements = random_scene(seed, home);
+    const Find find = examine(fuzz_source(statements), home);
+    if (find.kind.empty()) continue;
+    finds++;
+    std::printf("seed %llu: %s: %s\n", static_cast<unsigned long long>(seed), find.kind.c_str(),
+                one_line(find.text).c_str());
+    std::fflush(stdout);
+    std::printf("  %s\n", keep_find(statements, find, seed, folder, home).c_str());
+    std::fflush(stdout);
+  }
+  std::printf("%llu scenes from seed %llu in %.0f s, %d finds\n", static_cast<unsigned long long>(scenes),
+              static_cast<unsigned long long>(options.seed), watch.seconds(), finds);
+  return finds == 0 ? 0 : 1;
+}
+
+}  // namespace pantin::player
