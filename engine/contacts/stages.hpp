@@ -28,11 +28,13 @@ class Workers;
 struct BodyLoad;
 
 struct TouchReport {
-  double work = 0.0;     ///< [J] change of the kinetic energy by contacts
-  double belts = 0.0;    ///< [J] what moving surfaces may have given of it
-  double wrong = 0.0;    ///< [J] that contacts gave and should not have
-  double gravity = 0.0;  ///< [J] that gravity gives from rest in the step to what touches
-  ImpulseWork ties;      ///< what ties that move gave when they answered
+  double work = 0.0;          ///< [J] change of the kinetic energy by contacts
+  double belts = 0.0;         ///< [J] what moving surfaces may have given of it
+  double wrong = 0.0;         ///< [J] that contacts gave and should not have
+  double gravity = 0.0;       ///< [J] that gravity gives from rest in the step to what touches
+  double beside_falls = 0.0;  ///< [J] what gravity does in the drift beyond its kicks, by what contacts gave before it
+  double beside_laws = 0.0;   ///< [J] the same of forces with energies
+  ImpulseWork ties;           ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
 
@@ -48,8 +50,8 @@ void begin_placing(const Model& model, const Articulates& articulates, Contacts&
 /// islands of `space` then have.
 void find_placing(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
                   const TouchSettings& settings, TouchReport& report);
-/// Gives them. `kicks` are the forces with energies that kicked things before and after the drift [N], [N m]: by slots of bodies,
-/// then of points, or none.
+/// Gives them. `kicks` are the forces of laws with energies that kicked things before and after the drift [N], [N m]: by slots
+/// of bodies, then of points, or none.
 void give_placing(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
                   const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay, after

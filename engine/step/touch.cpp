@@ -77,20 +77,15 @@ TouchSettings settings_of(const World& world, bool drifted, double at, double wa
   return {world.stage.h, world.settings.gravity, drifted, at, wanted_at, world.settings.step, world.settings.contact};
 }
 
-/// Forces with energies that kick; none where there are none.
+/// Forces of laws with energies that kick; none where there are none.
 std::vector<BodyLoad> kicks_of(const World& world) {
-  if (world.contacts.list.empty() || (!world.forces && !world.solids)) return {};
+  if (world.contacts.list.empty() || !world.forces) return {};
   const std::size_t bodies = world.bodies.slots();
   std::vector<BodyLoad> kicks(bodies + world.points.slots());
-  if (world.forces) {
-    const Forces& f = *world.forces;
-    for (const Receiver& r : f.receivers) kicks[r.is_body ? r.slot : bodies + r.slot] = {r.force, r.torque};
-    for (std::size_t i = 0; i < f.sites.n; i++)
-      if (f.point[i] != Forces::none) kicks[bodies + f.point[i]].force = f.sites.force[i];
-  }
-  for (std::uint32_t slot = 0; slot < world.points.slots(); slot++)
-    if (world.points.alive_at(slot) && world.points.at_slot(slot).articulate < 0)
-      kicks[bodies + slot].force += world.plane.along(world.settings.gravity) * world.points.at_slot(slot).mass;
+  const Forces& f = *world.forces;
+  for (const Receiver& r : f.receivers) kicks[r.is_body ? r.slot : bodies + r.slot] = {r.force, r.torque};
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) kicks[bodies + f.point[i]].force = f.sites.force[i];
   return kicks;
 }
 
@@ -219,6 +214,10 @@ void place_contacts(World& world) {
   }
   give_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, kicks, report);
   world.contacts.work = report.work;
+  post_falling(world, report.beside_falls);
+  DriftReport told;
+  told.inexact = report.beside_laws;
+  post_report(world, told);
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
   count(world, report);

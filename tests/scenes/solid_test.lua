@@ -97,3 +97,28 @@ test("solid: what is pushed out of a floor is in the ledger", function()
   expect(scene.ledger.push_out):above(0.01)
   expect(scene.ledger.closure):below(1e-10)
 end)
+
+local function closure_after(seconds, text)
+  local scene = open_text(text)
+  local _ = scene.ledger.closure
+  scene:advance(seconds)
+  return scene.ledger.closure
+end
+
+test("solid: the ledger of what rests, bounces and slides stays closed", function()
+  for _, start in ipairs { "at = vec(0, 0.1, 0)", "at = vec(0, 0.5, 0), velocity = vec(1, 0, 0)" } do
+    expect(closure_after(1, [[
+      scene:floor { height = 0, friction = 0.5, restitution = 0.5 }
+      local grains = scene:family("grains", { solid = true, radius = 0.1, mass = 2 })
+      scene:particle { family = grains, ]] .. start .. [[ }
+    ]])):below(1e-12)
+  end
+end)
+
+test("touch: the ledger of what a spring presses on the floor stays closed", function()
+  expect(closure_after(1, [[
+    scene:floor { height = 0, friction = 0.5 }
+    local box = scene:box { size = vec(1, 1, 1), at = vec(0, 0.5, 0), points = { top = vec(0, 0.5, 0) } }
+    scene:connect(box.top, vec(0, 3, 0), force.spring { stiffness = 500, length = 4 })
+  ]])):below(1e-12)
+end)
