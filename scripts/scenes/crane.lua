@@ -2,7 +2,7 @@
 -- space switches the magnet. Load the ship, before the load swings too far. Untouched, it plays by itself.
 local boxes = scene:param("crates", 8, { min = 1, max = 12, step = 1, help = "on the quay" })
 
-scene.title, scene.duration, scene.plane, scene.contact_sounds = "Crane", 60, "xy", true
+scene.title, scene.duration, scene.plane = "Crane", 60, "xy"
 scene.camera = { at = vec(-0.7, 3.2, 13), look_at = vec(-0.7, 2.9, 0) }
 
 local function wall(width, height, x, y, color) return shape.box(width, height, 2, { at = vec(x, y, 0), friction = 0.8, color = color }) end
