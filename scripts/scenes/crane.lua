@@ -1,4 +1,4 @@
--- A crane game for two hands: keys a and d (or the left stick) move the crane, up and down (or the right stick) its rope, and
+-- A crane game for two hands: keys s and f (or the left stick) move the crane, up and down (or the right stick) its rope, and
 -- space switches the magnet. Load the ship, before the load swings too far. Untouched, it plays by itself.
 local boxes = scene:param("crates", 8, { min = 1, max = 12, step = 1, help = "on the quay" })
 
@@ -29,7 +29,7 @@ end
 scene:on("key", "space", function() mine = true switch() end)
 local function one(value) return math.max(-1, math.min(1, value)) end
 scene:on("step", function(dt)
-  local left, right = (keys.d and 1 or 0) - (keys.a and 1 or 0) + pad.left_x, (keys.up and 1 or 0) - (keys.down and 1 or 0) + pad.right_y
+  local left, right = (keys.f and 1 or 0) - (keys.s and 1 or 0) + pad.left_x, (keys.up and 1 or 0) - (keys.down and 1 or 0) + pad.right_y
   if mine or left ~= 0 or right ~= 0 then mine, along, up = true, left, right end
   v = v + (3 * one(along) - v) * 3 * dt
   x, rope = math.max(-6.3, math.min(5, x + v * dt)), math.max(0.5, math.min(6.2, rope - 2 * one(up) * dt))

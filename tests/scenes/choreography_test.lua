@@ -239,9 +239,9 @@ test("crane: it plays by itself, until somebody does", function()
   local crane = open "scenes/crane.lua"
   crane:advance(20)
   expect(crane:read "aboard"):equal(1)
-  crane:hold "d"
+  crane:hold "f"
   crane:advance(3)
-  crane:release "d"
+  crane:release "f"
   local rests = crane:find("magnet").position.y
   crane:advance(20)
   expect(crane:find("magnet").position.y):near(rests, 0.5)
