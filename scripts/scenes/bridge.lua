@@ -22,6 +22,7 @@ local function bar(a, b)
   scene:connect(a, b, steel, { breaks_at = { force = strength } })
 end
 
+local plates = {}
 --- Two trusses of eight bays, 1 m each, and over each bay a plate of the road, on hinges.
 local function build()
   local road, deep = { {}, {} }, { {}, {} }
@@ -47,6 +48,7 @@ local function build()
     bar(deep[2][i - 1], deep[1][i])
     local plate = scene:box { size = vec(0.99, 0.12, 1.4), at = vec(i - 4.5, -0.06, 0), mass = 60, friction = 0.9, layer = "falls", color = "#6b7280",
       points = { vec(-0.5, 0, -0.75), vec(0.5, 0, -0.75), vec(-0.5, 0, 0.75), vec(0.5, 0, 0.75) } }
+    plates[i] = plate
     for n, point in ipairs(plate.points) do scene:hinge(road[(n + 1) // 2][i - n % 2], point) end
   end
 end
@@ -73,8 +75,10 @@ local function start()
 end
 start()
 scene:on("broke", function()
-  if whole then scene:after(2.5, start) end
+  if not whole then return end
   whole = false
+  for _, plate in ipairs(plates) do for _, hinge in ipairs(plate.hinges) do hinge:cut(plate) end end
+  scene:after(4, start)
 end)
 scene:on("step", function()
   if whole and truck.position.x > 6 then

@@ -4,7 +4,7 @@ local load = scene:param("weight", 0.3, { min = 0.05, max = 2, help = "that driv
 local long = scene:param("length", 0.993, { min = 0.6, max = 1.2, help = "of the pendulum, m" })
 
 scene.title, scene.duration = "Clock", 60
-scene.plane, scene.step, scene.contact, scene.contact_sounds = "xy", 1 / 480, "exact", "wood"
+scene.plane, scene.step, scene.contact = "xy", 1 / 480, "exact"
 scene.camera = { at = vec(0.12, -0.08, 2.3), look_at = vec(0.12, -0.08, 0) }
 
 local z, teeth, radius, drum, brass = vec(0, 0, 1), 15, 0.35, 0.06, "#c9a227"

@@ -53,7 +53,7 @@ scene:field(cloth, force.point {
 local ball, way = nil, 1
 local function throw()
   if ball and ball.alive then ball:remove() end
-  if torn > n then return hang() end
+  if torn > 4 then return hang() end
   ball = scene:ball { radius = 0.2, mass = 0.5, at = vec(0, 2.2, -2.5 * way), velocity = vec(0, 12.3 / speed, speed * way), color = "#3f6f9f" }
   way, speed = -way, 1.8 * speed
 end

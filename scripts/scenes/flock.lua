@@ -9,24 +9,30 @@ scene.step = 1 / 60
 
 local room = 1.7 * count ^ (1 / 3) -- m, radius of the sky
 
-local birds = scene:family("birds", { color = "#3a7ca5", radius = 0.14, mass = 1 })
+local birds = scene:family("birds", { color = "#3a7ca5", radius = 0.1, mass = 1 })
 local flock = scene:group "flock"
 scene.dark = true
 local function any() return 2 * math.random() - 1 end
 for i = 1, count do
   flock:add(scene:particle {
-    family = birds, at = vec(any(), any(), any()) * (0.6 * room), velocity = vec(any(), any(), any()) * 4,
+    family = birds, at = vec(any(), any(), any()) * (i == 1 and 0 or 0.6 * room), velocity = vec(any(), any(), any()) * 4,
     color = i == 1 and "#ff5a4a" or i % 9 == 0 and "#e8a33a" or "#5aa9d6",
   })
 end
 local first = flock.particles[1]
-scene.camera = { at = vec(0, 0.5 * room, 2.1 * room), look_at = vec(0, 0, 0), follow = first, ease = 0.5 }
+scene.camera = { at = first.position + vec(0, 0.3, 1.4) * room, look_at = first.position, follow = first }
 
--- A bird's head is its ball; its body trails behind, as long as the way of 0.12 s.
+-- A bird's head is its ball; its wings beat, and its tail trails behind.
 scene:on("step", function()
+  local t, up = scene.time, vec(0, 1, 0)
   for bird in flock:each() do
-    local head = bird.position
-    scene.draw:line(head, head - bird.velocity * 0.12, { color = bird.color, width = bird == first and 5 or 3 })
+    local head, ahead = bird.position, bird.velocity:normalized()
+    local side, beat = ahead:cross(up) * 0.5, up * (0.3 * math.sin(14 * t + head.x + head.z))
+    local look = { color = bird.color, width = bird == first and 4 or 2.5 }
+    local back = head - ahead * 0.2
+    scene.draw:line(head, back + side + beat, look)
+    scene.draw:line(head, back - side + beat, look)
+    scene.draw:line(head, head - ahead * 0.6, look)
   end
 end)
 

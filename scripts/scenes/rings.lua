@@ -30,12 +30,12 @@ scene:hinge(a.head, d.tail, { name = "upper" })
 scene:hinge(b.head, e.tail, { name = "left" })
 scene:hinge(c.head, f.tail, g.tail, { name = "right" })
 
--- Members stand round their hinge; each leads to its body, and by an arrow to the next of the ring.
+-- Members stand round their hinge, between the bodies; each leads to its body, and by an arrow to the next of the ring.
 local function show(hinge)
   local at, points, places = hinge.position, hinge.points, {}
   local first = points[1].body.position - at
   for i = 1, #points do
-    local angle = math.atan(first.y, first.x) + 2 * math.pi * (i - 1) / #points
+    local angle = math.atan(first.y, first.x) + math.pi * (2 * i - 1) / #points
     places[i] = at + vec(math.cos(angle), math.sin(angle), 0) * spread
   end
   for i, point in ipairs(points) do
@@ -43,14 +43,14 @@ local function show(hinge)
     scene.draw:line(place, point.body.position, { color = point.color, width = 1 })
     scene.draw:arrow(place, place + (next_place - place) * 0.86)
     scene.draw:point(place, { color = point.color, size = 13 })
-    scene.draw:text(place + vec(0.09, 0.1, 0), ("%s: %.1f kg\n%.2f N"):format(point.body.name, point.mass,
-      hinge:force(point.body):length()), { size = 12 })
+    scene.draw:text(place + (place.x < at.x and vec(-0.62, 0.16, 0) or vec(0.08, 0.16, 0)), ("%s: %.1f kg\n%.2f N"):format(point.body.name, point.mass,
+      hinge:force(point.body):length()), { size = 16 })
   end
-  scene.draw:text(at + vec(-0.25, 0.42 + spread, 0), ("%s: ring of %d\n%.1f kg, %.2f m/s"):format(hinge.name, #points,
-    hinge.mass, hinge.velocity:length()), { color = "#d04a3c", size = 13 })
+  scene.draw:text(at + vec(-0.4, 0.5 + spread, 0), ("%s: ring of %d\n%.1f kg, %.2f m/s"):format(hinge.name, #points,
+    hinge.mass, hinge.velocity:length()), { color = "#d04a3c", size = 16 })
 end
 
 scene:on("step", function()
   for _, hinge in ipairs(scene.hinges) do show(hinge) end
-  scene.draw:text(vec(14, -64, 0), "over a ring: global data, shared\nat a dot: local data, a member's own", { space = "screen" })
+  scene.draw:text(vec(14, -70, 0), "over a ring: global data, shared\nat a dot: local data, a member's own", { space = "screen", size = 18 })
 end)

@@ -234,3 +234,16 @@ test("a lifetime ends at the beginning of the first step by which it is over, an
   end
   for i, wanted in ipairs { 111, 111, 111, 1, 0 } do expect(living[i]):equal(wanted) end
 end)
+
+test("crane: it plays by itself, until somebody does", function()
+  local crane = open "scenes/crane.lua"
+  crane:advance(20)
+  expect(crane:read "aboard"):equal(1)
+  crane:hold "f"
+  crane:advance(3)
+  crane:release "f"
+  local rests = crane:find("magnet").position.y
+  crane:advance(20)
+  expect(crane:find("magnet").position.y):near(rests, 0.5)
+  expect(crane:read "aboard"):equal(1)
+end)

@@ -214,3 +214,17 @@ test("the pile begins with nothing in something else", function()
   pile:advance(3)
   expect(pile.error.worst_energy):below(1e-4)
 end)
+
+test("clock: it keeps time, and its pendulum swings on", function()
+  local clock = open "scenes/clock.lua"
+  clock:advance(20)
+  expect(clock:read "seconds shown"):near(20, 0.5)
+  local widest = 0
+  for _ = 1, 480 * 2 do
+    clock:step()
+    widest = math.max(widest, clock:read "swing")
+  end
+  expect(widest):above(0.1)
+  expect(clock.error.worst_energy):below(2e-3)
+  expect(clock.error.worst_penetration):below(1e-3)
+end)

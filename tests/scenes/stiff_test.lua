@@ -70,12 +70,13 @@ test("implicit is true, false or dissipative, and for laws of the distance of tw
   end):fails "implicit = true needs a law of the distance of two particles"
 end)
 
-test("bridge: stands under a load, then breaks", function()
+test("bridge: bears three trucks, breaks under the fourth, and is built anew, without a fallback step", function()
   local bridge = open "scenes/bridge.lua"
-  bridge:advance(6)
-  expect(bridge:read "sag"):near(0.025, 0.01)
-  bridge:advance(2)
-  expect(bridge:read "sag"):above(1)
+  bridge:advance(24)
+  expect(bridge:read "load"):near(4050, 1e-9)
+  bridge:advance(8)
+  expect(bridge:read "load"):near(1200, 1e-9)
+  expect(bridge.error.worst_energy):below(1e-3)
   expect(bridge.stats.fallback_steps):equal(0)
 end)
 
