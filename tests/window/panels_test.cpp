@@ -127,7 +127,7 @@ TEST_CASE("panels: keys pause, slow and speed up time, and pass to the next scen
   pushed::tap(SDLK_PAGEDOWN);
   pushed::tap(SDLK_SPACE);
   played.frames(2);
-  CHECK(played.player->scene().title() == "Auxetic");
+  CHECK(played.player->scene().title() == "Strandbeest");
   CHECK(played.world().steps == 0);  // the key after it is for the scene that it opened
 }
 
