@@ -77,7 +77,7 @@ TEST_CASE("shipped scenes: the light ones stay sane for 20 s that nobody touches
     check_stays_sane(name, 20.0);
 }
 
-TEST_CASE("shipped scenes: each stays sane for a minute that nobody touches it", "[slow][shipped]") {
+TEST_CASE("shipped scenes: each stays sane for a minute that nobody touches it", "[.minute]") {
   for (const std::string& name : shipped_names()) check_stays_sane(name, 60.0);
 }
 
