@@ -1,6 +1,7 @@
 #include "view/keys.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/check.hpp"
 #include "view/views.hpp"
@@ -11,8 +12,8 @@ namespace {
 
 using Use = KeyUse;
 
-std::vector<WindowKeys> make_table() {
-  constexpr std::optional play = KeyPlace::play, replay = KeyPlace::replay;
+std::vector<WindowKeys> keys_of_hands() {
+  constexpr std::optional play = KeyPlace::play;
   return {
       {"Hands",
        Use::told,
@@ -49,6 +50,12 @@ std::vector<WindowKeys> make_table() {
        "a second hand (shift: slow)",
        0,
        play},
+  };
+}
+
+std::vector<WindowKeys> keys_of_window() {
+  constexpr std::optional play = KeyPlace::play, replay = KeyPlace::replay;
+  return {
       {"Time", Use::pause, {"space"}, "space", "pause, run", 0, play},
       {"Time", Use::pause, {"space"}, "space", "pause, run; at the end of a recording: from its start", 0, replay},
       {"Time", Use::step, {"."}, ".", "one step"},
@@ -142,7 +149,8 @@ Card make_card(KeyPlace place) {
 
 const std::vector<WindowKeys>& window_keys() {
   static const std::vector<WindowKeys> table = [] {
-    std::vector<WindowKeys> all = make_table();
+    std::vector<WindowKeys> all = keys_of_hands();
+    std::ranges::copy(keys_of_window(), std::back_inserter(all));
     add_views(all);
     return all;
   }();

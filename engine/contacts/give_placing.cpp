@@ -8,10 +8,11 @@ namespace pantin {
 namespace {
 
 /// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by what was given since the
-/// island's states: work at contacts is change of the energy, not of the kinetic one alone.
-void tell_work_beside_kicks(const Model& model, const Articulates& articulates, const TouchIsland& island,
-                            const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report) {
+/// island's states; gravity's part is told: work at contacts is change of the energy, not of the kinetic one alone.
+double work_beside_kicks(const Model& model, const Articulates& articulates, const TouchIsland& island,
+                         const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report) {
   const Vec3 gravity = model.plane.along(settings.gravity);
+  double by_laws = 0.0;
   for (std::size_t i = 0; i < island.things.size(); i++) {
     const std::uint32_t thing = island.things[i];
     const bool falls_in_kicks = is_point(thing) && model.points.at_slot(slot_of(thing)).articulate < 0;
@@ -21,8 +22,9 @@ void tell_work_beside_kicks(const Model& model, const Articulates& articulates, 
     if (falls_in_kicks) report.beside_falls += now.mass * dot(gravity, by);
     if (kicks.empty()) continue;
     const BodyLoad& kick = kicks[number_of(model, thing)];
-    report.beside_laws += dot(kick.force, by) + 0.5 * settings.h * dot(kick.moment, now.w - before.w);
+    by_laws += dot(kick.force, by) + 0.5 * settings.h * dot(kick.moment, now.w - before.w);
   }
+  return by_laws + report.beside_falls;
 }
 
 /// Notes what each thing got by these impulses, and by what ties answered them.
@@ -100,9 +102,8 @@ void give_to_island(TouchSpace& space, Model& model, const Articulates& articula
   }
   note(1.0);
   report.ties += ties;
-  tell_work_beside_kicks(model, articulates, island, settings, kicks, report);
-  const double work =
-      kinetic_energy_now(model, island) - before - ties.all() - report.beside_falls - report.beside_laws;
+  const double work = kinetic_energy_now(model, island) - before - ties.all() -
+                      work_beside_kicks(model, articulates, island, settings, kicks, report);
   report.work += work;
   heat.add(work);
 }

@@ -16,7 +16,6 @@ void TouchReport::operator+=(const TouchReport& more) {
   wrong += more.wrong;
   gravity += more.gravity;
   beside_falls += more.beside_falls;
-  beside_laws += more.beside_laws;
   ties += more.ties;
   islands += more.islands;
   contacts += more.contacts;

@@ -33,7 +33,6 @@ struct TouchReport {
   double wrong = 0.0;         ///< [J] that contacts gave and should not have
   double gravity = 0.0;       ///< [J] that gravity gives from rest in the step to what touches
   double beside_falls = 0.0;  ///< [J] what gravity does in the drift beyond its kicks, by what contacts gave before it
-  double beside_laws = 0.0;   ///< [J] the same of forces with energies
   ImpulseWork ties;           ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted

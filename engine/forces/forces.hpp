@@ -154,6 +154,10 @@ void begin_kick(World& world);
 /// Changes velocities and momenta by the forces over `half` [s], those of laws of velocity as velocity_kick.hpp says. Work
 /// of laws without energy goes to World::work.
 void kick(World& world, double half);
+/// Velocities of the sites of laws [m/s] (sites); none where the ledger is not kept.
+AlignedVector<Vec3> site_velocities(World& world, bool drifted);
+/// Posts for each law what it does in the drift to come beyond its kicks at both ends, since contacts changed these velocities.
+void post_laws_beside_kicks(World& world, const AlignedVector<Vec3>& before);
 /// Posts what laws with an energy give in dt [s] at the present velocities.
 void post_present_laws(World& world, double dt);
 /// Loose things, and the model's rows of those that laws move, as they were before the step's first kick.

@@ -105,20 +105,6 @@ void post_nonconservative(World& world, const NonconservativeWork& work) {
   post(world, Source::damper, work.damper);
 }
 
-/// Velocities of the sites' positions, [m/s] (sites); none where the ledger is not kept.
-AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
-  AlignedVector<Vec3> list;
-  if (!world.ledger.kept) return list;
-  list.assign(f.sites.n, zero3());
-  for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != Forces::none) list[i] = world.free_motion[f.point[i]].v;
-  for (const Attached& a : f.attached) {
-    const ReceiverMomenta s = momenta_of(world, f.receivers[a.receiver], drifted);
-    list[a.site] = s.velocity() + cross(s.spin(), a.r);
-  }
-  return list;
-}
-
 /// Copies the velocities of sites that rows tie.
 void copy_tied(const Forces& f, const AlignedVector<Vec3>& from, AlignedVector<Vec3>& to) {
   for (const Attached& a : f.attached)
@@ -141,6 +127,7 @@ double work_on_tied(const Forces& f, const AlignedVector<Vec3>& before, const Al
   return work;
 }
 
+/// With the forces that sites have now, velocities that changed evenly, over `half` [s].
 void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after,
                double half) {
   if (!world.ledger.kept) return;
@@ -164,6 +151,28 @@ void post_forbidden(World& world, double joules) {
 
 }  // namespace
 
+AlignedVector<Vec3> site_velocities(World& world, bool drifted) {
+  AlignedVector<Vec3> list;
+  if (!world.ledger.kept || !world.forces) return list;
+  Forces& f = *world.forces;
+  list.assign(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) list[i] = world.free_motion[f.point[i]].v;
+  for (const Attached& a : f.attached) {
+    const ReceiverMomenta s = momenta_of(world, f.receivers[a.receiver], drifted);
+    list[a.site] = s.velocity() + cross(s.spin(), a.r);
+  }
+  return list;
+}
+
+void post_laws_beside_kicks(World& world, const AlignedVector<Vec3>& before) {
+  if (before.size() == 0) return;
+  AlignedVector<Vec3> less;
+  less.assign(before.size(), zero3());
+  for (std::size_t i = 0; i < before.size(); i++) less[i] = before[i] * -1.0;
+  post_laws(world, *world.forces, less, site_velocities(world, world.stage.index > 0), world.stage.h);
+}
+
 void post_tied(World& world, const TiedWork& work) {
   post_nonconservative(world, {work.damper, work.rest});
   post(world, Source::hand, work.rows.anchors);
@@ -185,14 +194,14 @@ void kick(World& world, double half) {
     solve_velocity_kick(world, f, half, time_within(world, world.stage.from), {drifted, true});
     post_tied(world, kick_tied(world, f));
   }
-  const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
+  const AlignedVector<Vec3> before = site_velocities(world, drifted);
   const NonconservativeWork present = present_work(world, f, half, drifted);
   NonconservativeWork told = kick_points(world, f, half);
   const KickWork given = kick_receivers(world, f, half, drifted);
   told += given.loose;
   told += allowed ? present : given.tied;
   post_nonconservative(world, told);
-  AlignedVector<Vec3> after = site_velocities(world, f, drifted);
+  AlignedVector<Vec3> after = site_velocities(world, drifted);
   if (allowed && world.ledger.kept) {
     post_forbidden(world, given.tied.all() - present.all() + work_on_tied(f, before, after, half) -
                               work_on_tied(f, before, before, half));
@@ -222,7 +231,7 @@ void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
 
 void post_present_laws(World& world, double dt) {
   if (!world.forces) return;
-  const AlignedVector<Vec3> present = site_velocities(world, *world.forces, false);
+  const AlignedVector<Vec3> present = site_velocities(world, false);
   post_laws(world, *world.forces, present, present, dt);
 }
 
@@ -247,13 +256,13 @@ void kick_to_end(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   if (f.velocity_dependent) solve_velocity_kick(world, f, half, time_within(world, world.stage.to), {true, false});
-  f.kicked_from = site_velocities(world, f, true);
+  f.kicked_from = site_velocities(world, true);
   NonconservativeWork told = kick_points(world, f, half);
   const KickWork given = kick_receivers(world, f, half, true);
   told += given.loose;
   if (!allowed_after(world)) told += given.tied;
   post_nonconservative(world, told);
-  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  const AlignedVector<Vec3> after = site_velocities(world, true);
   if (!allowed_after(world)) {
     post_tied(world, kick_tied(world, f));
     return post_laws(world, f, f.kicked_from, after, half);
@@ -266,7 +275,7 @@ void end_kick(World& world, double half) {
   Forces& f = *world.forces;
   const NonconservativeWork present = present_work(world, f, half, true);
   post_nonconservative(world, present);
-  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  const AlignedVector<Vec3> after = site_velocities(world, true);
   post_tied(world, kick_tied(world, f));
   if (!world.ledger.kept) return;
   post_forbidden(world, -present.all() - work_on_tied(f, after, after, half));

@@ -212,12 +212,11 @@ void place_contacts(World& world) {
     find_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, report);
     if (round == most_rounds || !find_more(world, drifted)) break;
   }
+  const AlignedVector<Vec3> before = site_velocities(world, drifted);
   give_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, kicks, report);
   world.contacts.work = report.work;
   post_falling(world, report.beside_falls);
-  DriftReport told;
-  told.inexact = report.beside_laws;
-  post_report(world, told);
+  post_laws_beside_kicks(world, before);
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
   count(world, report);

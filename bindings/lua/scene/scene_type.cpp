@@ -213,7 +213,7 @@ std::vector<Method> forcing() {
   };
 }
 
-std::vector<Method> telling() {
+std::vector<Method> choreographing() {
   return {
       {"param", guard<scene_param>, "name: string, default: number|boolean|string [its own], options?: ParamOptions",
        "any", "Declares a parameter and returns its value.",
@@ -269,6 +269,11 @@ std::vector<Method> telling() {
       {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",
        "Puts a behaviour to work on a target, with which it ends.",
        "scene:behave(p, { step = function(self) self.target:push(vec(self.options.pull, 0, 0)) end }, { pull = 3 })"},
+  };
+}
+
+std::vector<Method> telling() {
+  return {
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window.",
        "scene:button(\"kick\", function() p:kick(vec(0, 2, 0)) end)"},
       {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step.",
@@ -327,7 +332,8 @@ Type make() {
   };
   once("keys", "HeldKeys", "keys that are held", [](const Self& s) { push_one(s, Kind::held_keys); });
   once("pad", "Gamepad", "sticks and buttons of a gamepad", [](const Self& s) { push_one(s, Kind::gamepad); });
-  for (const auto& methods : {making(), touch_methods(), constraining(), forcing(), telling(), playing()})
+  for (const auto& methods :
+       {making(), touch_methods(), constraining(), forcing(), choreographing(), telling(), playing()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());
   type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());
