@@ -89,7 +89,7 @@ int fuzz(const FuzzOptions& options, const std::string& home) {
   const Stopwatch watch;
   std::uint64_t scenes = 0;
   int finds = 0;
-  for (std::uint64_t seed = options.seed; watch.seconds() < options.seconds; seed++, scenes++) {
+  for (std::uint64_t seed = options.seed; scenes == 0 || watch.seconds() < options.seconds; seed++, scenes++) {
     const std::vector<std::string> statements = random_scene(seed, home);
     const Find find = examine(fuzz_source(statements), home);
     if (find.kind.empty()) continue;

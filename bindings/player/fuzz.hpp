@@ -8,7 +8,7 @@
 namespace pantin::player {
 
 struct FuzzOptions {
-  double seconds = 60.0;  ///< [s] of real time; a scene that is begun is finished
+  double seconds = 60.0;  ///< [s] of real time; a scene that is begun is finished, and there is one
   std::uint64_t seed = 1;
   std::string folder;  ///< for what is found; empty: tests/corpus of the program's folder
 };

@@ -139,7 +139,10 @@ void add_fuzz(CLI::App& test, FuzzOptions& fuzz) {
   CLI::App* command = test.add_subcommand(
       "fuzz", "Runs random scenes, and keeps as small as they can be those that crash or break a promise");
   command->add_option("--seconds", fuzz.seconds, "Real time, s")->check(check_number)->capture_default_str();
-  command->add_option("--seed", fuzz.seed, "Of the first scene")->capture_default_str()->type_name("S");
+  command->add_option("--seed", fuzz.seed, "Of the first scene")
+      ->check(CLI::Range(0.0, 0x1p53))
+      ->capture_default_str()
+      ->type_name("S");
   command->add_option("--out", fuzz.folder, "Folder for what is found")
       ->check(CLI::ExistingDirectory)
       ->default_str("tests/corpus")

@@ -102,6 +102,7 @@ TEST_CASE("options: tests of random scenes and of long runs") {
   CHECK(read({"test", "soak"}).soak.scene.empty());
   CHECK(read({"test", "a_test.lua"}).command == Options::Command::test);
   CHECK_THROWS_WITH(read({"test", "fuzz", "--seconds", "long"}), Contains("--seconds"));
+  CHECK_THROWS_WITH(read({"test", "fuzz", "--seed", "-1"}), Contains("--seed"));
 }
 
 TEST_CASE("options: wrong use names what is wrong and what is allowed") {
