@@ -9,6 +9,7 @@
 #include "lua/scene/open.hpp"
 #include "player/output.hpp"
 #include "scene/errors.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::player {
 namespace {
@@ -40,6 +41,23 @@ std::string keep_find(std::vector<std::string> statements, const Find& find, std
   output.write(text("-- ", find.kind, ", seed ", seed, ": ", one_line(find.text), "\n", fuzz_source(statements)));
   output.keep();
   return path;
+}
+
+void tell(const std::string& name, const Find& find) {
+  std::printf("%s: %s: %s\n", name.c_str(), find.kind.c_str(), one_line(find.text).c_str());
+  std::fflush(stdout);
+}
+
+int look_at_files(const std::vector<std::string>& files, const std::string& home) {
+  int finds = 0;
+  for (const std::string& file : files) {
+    const Find find = examine(file_content(file).value(), home);
+    if (find.kind.empty()) continue;
+    finds++;
+    tell(file, find);
+  }
+  std::printf("%zu scenes, %d finds\n", files.size(), finds);
+  return finds == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -84,6 +102,7 @@ std::vector<std::string> smallest(std::vector<std::string> statements,
 }
 
 int fuzz(const FuzzOptions& options, const std::string& home) {
+  if (!options.files.empty()) return look_at_files(options.files, home);
   const std::string folder =
       options.folder.empty() ? (std::filesystem::path(home) / "tests" / "corpus").string() : options.folder;
   const Stopwatch watch;
@@ -94,9 +113,7 @@ int fuzz(const FuzzOptions& options, const std::string& home) {
     const Find find = examine(fuzz_source(statements), home);
     if (find.kind.empty()) continue;
     finds++;
-    std::printf("seed %llu: %s: %s\n", static_cast<unsigned long long>(seed), find.kind.c_str(),
-                one_line(find.text).c_str());
-    std::fflush(stdout);
+    tell(text("seed ", seed), find);
     std::printf("  %s\n", keep_find(statements, find, seed, folder, home).c_str());
     std::fflush(stdout);
   }

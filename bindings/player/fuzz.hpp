@@ -10,7 +10,8 @@ namespace pantin::player {
 struct FuzzOptions {
   double seconds = 60.0;  ///< [s] of real time; a scene that is begun is finished, and there is one
   std::uint64_t seed = 1;
-  std::string folder;  ///< for what is found; empty: tests/corpus of the program's folder
+  std::string folder;              ///< for what is found; empty: tests/corpus of the program's folder
+  std::vector<std::string> files;  ///< scenes to look at in place of random ones; what is found is told alone
 };
 
 /// What a scene does not keep; nothing found has no kind.
@@ -24,7 +25,8 @@ struct Find {
 std::vector<std::string> random_scene(std::uint64_t seed, const std::string& home);
 /// A scene's whole text.
 std::string fuzz_source(const std::vector<std::string>& statements);
-/// Runs a scene several times, in a process of its own that may crash.
+/// Runs a scene several times, in a process of its own that may crash; it is forked, so this process must have no thread
+/// but this one.
 Find examine(const std::string& source, const std::string& home);
 /// Leaves statements out as long as `fails` says yes of the rest; what is left needs each of its statements, unless
 /// `seconds` of real time are over.

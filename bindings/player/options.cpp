@@ -138,6 +138,7 @@ void add_state(CLI::App& app, RunOptions& scene) {
 void add_fuzz(CLI::App& test, FuzzOptions& fuzz) {
   CLI::App* command = test.add_subcommand(
       "fuzz", "Runs random scenes, and keeps as small as they can be those that crash or break a promise");
+  command->add_option("file", fuzz.files, "Scenes to look at [random ones]")->check(CLI::ExistingFile);
   command->add_option("--seconds", fuzz.seconds, "Real time, s")->check(check_number)->capture_default_str();
   command->add_option("--seed", fuzz.seed, "Of the first scene")
       ->check(CLI::Range(0.0, 0x1p53))
