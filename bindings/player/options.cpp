@@ -158,6 +158,38 @@ void add_soak(CLI::App& test, SoakOptions& soak) {
   command->add_option("--steps", soak.steps, "Of each scene [an hour of simulated time]")->type_name("N");
 }
 
+std::string check_table(const std::string& path) {
+  return path.ends_with(".csv") ? "" : text("'", path, "' must end in .csv");
+}
+
+/// `pantin sweep`.
+void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& texts) {
+  CLI::App* command = app.add_subcommand("sweep",
+                                         "Runs a scene once for each combination of values, on all processors, into "
+                                         "one table; goes on where it was stopped");
+  command->add_option("scene", sweep.scene, "A scene's file, or the name of a shipped one")->required();
+  list_option(
+      *command, "--set", sweep.settings,
+      "Values of a parameter of the scene or a field: links=10:1000:20 (20 from 10 to 1000), mass=1e-3:1e3:7:log, "
+      "ratio=1,1e3,1e6, scene.step=1/60,1/240",
+      "K=VALUES", check_setting);
+  command->add_option("--seeds", sweep.seeds, "Of math.random: 1:100 or 1,5,9")->type_name("FIRST:LAST");
+  command
+      ->add_option("--sample", sweep.sample,
+                   "Draws so many cases of the ranges (a Latin hypercube) in place of all combinations")
+      ->check(CLI::Range(1.0, 1e7))
+      ->type_name("N");
+  command->add_option("--out", sweep.out, "The table: a row a case")
+      ->required()
+      ->check(check_table)
+      ->type_name("FILE.csv");
+  command->add_option("--jobs", sweep.jobs, "Processes; 0: one for each processor. The table is the same")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+  command->add_flag("--timed", sweep.timed, "With the processor time of each case, s, which differs from run to run");
+  add_limits(*command, scene, texts);
+}
+
 /// What belongs together of that.
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
@@ -170,9 +202,9 @@ void settle_state(RunOptions& run) {
 Options::Command command_of(const CLI::App& app) {
   using Command = Options::Command;
   constexpr std::pair<const char*, Command> commands[] = {
-      {"play", Command::play},     {"run", Command::run},     {"replay", Command::replay},
-      {"report", Command::report}, {"test", Command::test},   {"fuzz", Command::fuzz},
-      {"soak", Command::soak},     {"bench", Command::bench}, {"meta", Command::meta}};
+      {"play", Command::play},   {"run", Command::run},   {"replay", Command::replay}, {"report", Command::report},
+      {"test", Command::test},   {"fuzz", Command::fuzz}, {"soak", Command::soak},     {"sweep", Command::sweep},
+      {"bench", Command::bench}, {"meta", Command::meta}};
   const CLI::App* used = app.get_subcommands().front();
   if (!used->get_subcommands().empty()) used = used->get_subcommands().front();
   for (const auto& [name, command] : commands)
@@ -182,7 +214,7 @@ Options::Command command_of(const CLI::App& app) {
 
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
+  throw UsageError(what + ": give play, run, replay, report, sweep, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
@@ -270,6 +302,7 @@ Options read_options(int argc, const char* const* argv) {
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
   add_fuzz(*test, options.fuzz);
   add_soak(*test, options.soak);
+  add_sweep(app, options.sweep, options.run, texts);
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
@@ -298,6 +331,9 @@ Options read_options(int argc, const char* const* argv) {
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
   options.command = command_of(app);
   if (*run) settle_state(options.run);
+  options.sweep.until = options.run.until;
+  options.sweep.script_limit = options.run.script_limit;
+  options.sweep.memory_limit = options.run.memory_limit;
   return options;
 }
 

@@ -8,6 +8,7 @@
 
 #include "player/fuzz.hpp"
 #include "player/soak.hpp"
+#include "player/sweep/sweep.hpp"
 #include "scene/options.hpp"
 #include "view/views.hpp"
 
@@ -42,13 +43,14 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, fuzz, soak, bench, meta };
+  enum class Command { none, play, run, replay, report, test, fuzz, soak, sweep, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
   bool peers = false;                  ///< of `bench`
   FuzzOptions fuzz;
   SoakOptions soak;
+  SweepOptions sweep;
   std::string prefix;  ///< of the files that `report` writes; empty: after the scene
 };
 

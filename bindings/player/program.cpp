@@ -20,6 +20,7 @@
 #include "player/replay.hpp"
 #include "player/report.hpp"
 #include "player/run.hpp"
+#include "player/sweep/sweep.hpp"
 #include "player/test.hpp"
 #include "scene/errors.hpp"
 #include "view/keys.hpp"
@@ -37,6 +38,7 @@ int do_command(const Options& options) {
     case Options::Command::test: return test(options.arguments, find_home());
     case Options::Command::fuzz: return fuzz(options.fuzz, find_home());
     case Options::Command::soak: return soak(options.soak, find_home());
+    case Options::Command::sweep: return sweep(options.sweep, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta:
       std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference() + key_reference());

@@ -1,25 +1,8 @@
 #include "player/table.hpp"
 
-#include <charconv>
-#include <cmath>
+#include "player/csv.hpp"
 
 namespace pantin::player {
-namespace {
-
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string result = "\"";
-  for (char c : name) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-void put_number(std::string& out, double value) {
-  char digits[32];
-  auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-  out.append(digits, end);
-}
-
-}  // namespace
 
 void Times::add(const World& world) {
   if (world.steps <= first_step) values = {};
@@ -32,15 +15,15 @@ void Times::add(const World& world) {
 
 std::string probe_table(const Times& times, const std::vector<Probe>& probes) {
   std::string out = "time";
-  for (const Probe& probe : probes) out.append(1, ',').append(quoted(probe.name));
+  for (const Probe& probe : probes) out.append(1, ',').append(csv_cell(probe.name));
   out += "\n";
   for (std::size_t row = 0; row < times.values.size(); row++) {
-    put_number(out, times.values[row]);
+    out += number_text(times.values[row]);
     for (const Probe& probe : probes) {
       out += ",";
       std::uint64_t step = times.first_step + row;
       bool known = step >= probe.first_step && step - probe.first_step < probe.values.size();
-      if (known) put_number(out, probe.values[step - probe.first_step]);
+      if (known) out += number_text(probe.values[step - probe.first_step]);
     }
     out += "\n";
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <bit>
 #include <cstdint>
+#include <string>
 
 #include "base/lanes.hpp"
 
@@ -15,6 +16,10 @@ struct Hash {
     value ^= value >> 29;
   }
   void add(double x) { add(std::bit_cast<std::uint64_t>(x == 0.0 ? 0.0 : x)); }
+  /// Its bytes, one by one.
+  void add(const std::string& text) {
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
   void add(Vec3 v) {
     for (int i = 0; i < 3; i++) add(static_cast<double>(v[i]));
   }

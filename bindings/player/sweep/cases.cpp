@@ -1,0 +1,147 @@
+#include "player/sweep/cases.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "base/random.hpp"
+#include "player/csv.hpp"
+#include "scene/errors.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr std::uint64_t most_cases = 10'000'000;
+constexpr std::uint64_t seed_of_samples = 1;
+
+std::vector<std::string> split(const std::string& text, char by) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == by)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+template <class Number>
+std::optional<Number> number_of(const std::string& text) {
+  Number x{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return x;
+}
+
+[[noreturn]] void refuse_values(const std::string& setting, const std::string& why) {
+  throw UsageError(text("'", setting, "': ", why,
+                        "; a value, a list 1,10,100, or a range FROM:TO:COUNT, evenly in the logarithm with :log"));
+}
+
+void read_range(Axis& axis, const std::vector<std::string>& parts, const std::string& setting) {
+  const auto from = number_of<double>(parts[0]), to = number_of<double>(parts[1]);
+  if (!from || !to || !std::isfinite(*from) || !std::isfinite(*to)) refuse_values(setting, "a range needs two numbers");
+  axis.from = *from;
+  axis.to = *to;
+  axis.logarithmic = parts.back() == "log";
+  const std::size_t told = parts.size() - (axis.logarithmic ? 1 : 0);
+  if (told > 3) refuse_values(setting, "that is no range");
+  if (told == 3) {
+    const auto count = number_of<std::uint64_t>(parts[2]);
+    if (!count || *count < 2) refuse_values(setting, "the count of a range must be a whole number from 2 on");
+    axis.count = *count;
+  }
+  if (axis.logarithmic && !(axis.from > 0.0 && axis.to > 0.0)) refuse_values(setting, "a logarithm needs ends above 0");
+}
+
+}  // namespace
+
+std::string Axis::value_at(double part) const {
+  if (!values.empty())
+    return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
+  double x = logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
+  if (part == 1.0) x = to;
+  return number_text(whole ? std::round(x) : x);
+}
+
+std::string Axis::value(std::uint64_t index) const {
+  if (!values.empty()) return values[index];
+  return value_at(count < 2 ? 0.0 : static_cast<double>(index) / static_cast<double>(count - 1));
+}
+
+Axis read_axis(const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0) throw UsageError(text("'", setting, "' must be name=values"));
+  Axis axis;
+  axis.name = setting.substr(0, equals);
+  const std::string told = setting.substr(equals + 1);
+  const std::vector<std::string> parts = split(told, ':');
+  if (parts.size() > 1 && told.find(',') == std::string::npos)
+    read_range(axis, parts, setting);
+  else
+    axis.values = split(told, ',');
+  if (axis.values.size() > 1 && std::ranges::count(axis.values, ""))
+    refuse_values(setting, "a value of the list is missing");
+  return axis;
+}
+
+Axis read_seeds(const std::string& seeds) {
+  Axis axis;
+  const std::vector<std::string> ends = split(seeds, ':');
+  const auto first = number_of<std::uint64_t>(ends[0]), last = number_of<std::uint64_t>(ends.back());
+  if (ends.size() == 2 && first && last && *first <= *last && *last < (std::uint64_t{1} << 53)) {
+    axis.from = static_cast<double>(*first);
+    axis.to = static_cast<double>(*last);
+    axis.count = *last - *first + 1;
+    axis.whole = true;
+  } else {
+    axis.values = split(seeds, ',');
+    for (const std::string& seed : axis.values)
+      if (!number_of<std::uint64_t>(seed))
+        throw UsageError(text("--seeds ", seeds, ": must be FIRST:LAST or a list of whole numbers, 1,5,9"));
+  }
+  axis.name = "scene.seed";
+  return axis;
+}
+
+Cases::Cases(std::vector<Axis> axes, std::uint64_t sample) : axes_(std::move(axes)) {
+  double all = 1.0;
+  for (const Axis& axis : axes_) {
+    if (sample == 0 && axis.size() == 0)
+      throw UsageError(text("the range of ", axis.name, " has no count: FROM:TO:COUNT, or draw --sample N cases"));
+    all *= static_cast<double>(axis.size());
+  }
+  if (sample > 0) all = static_cast<double>(sample);
+  if (all > static_cast<double>(most_cases))
+    throw UsageError(text(all, " cases are more than the ", most_cases,
+                          " of one sweep; take fewer values, or draw some of them with --sample N"));
+  count_ = static_cast<std::uint64_t>(all);
+  if (sample == 0) return;
+  Random random{seed_of_samples, 0};
+  for (std::size_t a = 0; a < axes_.size(); a++) {
+    std::vector<double> parts(count_);
+    std::iota(parts.begin(), parts.end(), 0.0);
+    for (std::size_t i = parts.size(); i > 1; i--)
+      std::swap(parts[i - 1], parts[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
+    for (double& part : parts) part = (part + random.uniform()) / static_cast<double>(count_);
+    parts_.push_back(std::move(parts));
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> Cases::settings(std::uint64_t number) const {
+  std::vector<std::pair<std::string, std::string>> set(axes_.size());
+  for (std::size_t a = axes_.size(); a-- > 0;) {
+    const Axis& axis = axes_[a];
+    set[a].first = axis.name;
+    if (parts_.empty()) {
+      set[a].second = axis.value(number % axis.size());
+      number /= axis.size();
+    } else {
+      set[a].second = axis.value_at(parts_[a][number]);
+    }
+  }
+  return set;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,48 @@
+#pragma once
+// Which cases a sweep has: values of parameters, combined or drawn.
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pantin::player {
+
+/// The values that one parameter, field or the seed takes.
+struct Axis {
+  std::string name;
+  std::vector<std::string> values;  ///< as `--set` takes them; empty: a range
+  double from = 0.0, to = 0.0;
+  std::uint64_t count = 0;   ///< of values from `from` to `to`, both with them; 0: not told, as a sample may leave it
+  bool logarithmic = false;  ///< evenly in the logarithm
+  bool whole = false;        ///< each is rounded to a whole number
+
+  std::uint64_t size() const { return values.empty() ? count : values.size(); }
+  /// Of a grid.
+  std::string value(std::uint64_t index) const;
+  /// At a part in [0, 1) of the way.
+  std::string value_at(double part) const;
+};
+
+/// Reads "links=10:1000:20", "mass=1e-3:1e3:7:log", "ratio=1,1e3" or "ratio=5". Throws UsageError.
+Axis read_axis(const std::string& setting);
+/// Reads "1:100" (each whole number) or "1,5,9". Throws UsageError.
+Axis read_seeds(const std::string& seeds);
+
+/// The cases by their numbers, from 0; none is kept.
+class Cases {
+ public:
+  /// With a sample of so many, else the grid of all. Throws UsageError where there are too many, or a range has no count.
+  Cases(std::vector<Axis> axes, std::uint64_t sample);
+
+  std::uint64_t count() const { return count_; }
+  const std::vector<Axis>& axes() const { return axes_; }
+  /// What is set in a case, in the order of the axes. The last axis changes from case to case.
+  std::vector<std::pair<std::string, std::string>> settings(std::uint64_t number) const;
+
+ private:
+  std::vector<Axis> axes_;
+  std::vector<std::vector<double>> parts_;  ///< of a sample: where on its axis each case is (axes, cases)
+  std::uint64_t count_ = 1;
+};
+
+}  // namespace pantin::player

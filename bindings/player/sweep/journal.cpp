@@ -1,0 +1,106 @@
+#include "player/sweep/journal.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/hash.hpp"
+#include "player/json.hpp"
+#include "scene/errors.hpp"
+#include "scene/files.hpp"
+
+namespace pantin::player {
+namespace {
+
+std::string checksum(const std::string& content) {
+  Hash hash;
+  hash.add(content);
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value));
+  return digits;
+}
+
+Json json_of_cells(const Cells& cells) {
+  Json list = Json::array();
+  for (const auto& [name, value] : cells) list.push_back({name, value});
+  return list;
+}
+
+Cells cells_of(const Json& list) {
+  Cells cells;
+  for (const Json& cell : list) cells.emplace_back(cell.at(0).get<std::string>(), cell.at(1).get<std::string>());
+  return cells;
+}
+
+}  // namespace
+
+std::string line_of(const CaseRow& row) {
+  const Json json = {
+      {"case", row.number}, {"told", json_of_cells(row.told)}, {"measured", json_of_cells(row.measured)}};
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+CaseRow row_of(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    return {json.at("case").get<std::uint64_t>(), cells_of(json.at("told")), cells_of(json.at("measured"))};
+  } catch (const Json::exception& error) { throw Error(text("that is no row of a sweep: ", error.what())); }
+}
+
+Journal::Journal(std::string path, const std::string& sweep) : path_(std::move(path)) {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
+  try {
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0)
+      throw UsageError(text("another sweep is writing ", path_, "; give this one a table of its own with --out"));
+    read(sweep);
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+Journal::~Journal() { ::close(file_); }
+
+void Journal::read(const std::string& sweep) {
+  const std::string content = file_content(path_).value_or("");
+  std::size_t from = 0, line = 0;
+  for (std::size_t end; (end = content.find('\n', from)) != std::string::npos; from = end + 1) {
+    const std::string text_ = content.substr(from, end - from);
+    line++;
+    const auto refuse = [&](const char* why) {
+      throw UsageError(
+          text(path_, ":", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
+    };
+    if (text_.size() < 17 || checksum(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
+    if (line == 1) {
+      if (text_.substr(17) != sweep) refuse("what is begun here is another sweep, or its scene was changed since");
+      continue;
+    }
+    CaseRow row = row_of(text_.substr(17));
+    rows_[row.number] = std::move(row);
+  }
+  if (from < content.size() && ftruncate(file_, static_cast<off_t>(from)) != 0)
+    throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
+  if (line == 0) write_line(sweep);
+}
+
+void Journal::write_line(const std::string& content) {
+  const std::string line = checksum(content) + " " + content + "\n";
+  const ssize_t written = write(file_, line.data(), line.size());
+  require(written == static_cast<ssize_t>(line.size()), "cannot write ", path_, ": ",
+          written < 0 ? std::strerror(errno) : "there is no space left");
+}
+
+void Journal::add(CaseRow row) {
+  write_line(line_of(row));
+  rows_[row.number] = std::move(row);
+}
+
+void Journal::remove() { unlink(path_.c_str()); }
+
+}  // namespace pantin::player

@@ -1,0 +1,126 @@
+#include "player/sweep/row.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "lua/scene/open.hpp"
+#include "measure/measure.hpp"
+#include "player/csv.hpp"
+#include "player/run.hpp"
+#include "player/study_run.hpp"
+#include "scene/errors.hpp"
+#include "scene/headway.hpp"
+#include "scene/memory.hpp"
+
+namespace pantin::player {
+namespace {
+
+std::string text_of_value(const SceneValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+void run_to_end(Scene& scene, const SceneOptions& options, std::optional<double> wanted) {
+  const World& world = scene.world();
+  const double until = wanted.value_or(scene.duration().value_or(usual_duration));
+  Headway headway(world, until);
+  MemoryLimit memory(options.memory_limit);
+  while (world.time < until - 0.5 * world.settings.step && !scene.finished()) {
+    scene.step();
+    require(world.failure.empty(), world.failure);
+    headway.check(world);
+    memory.check();
+  }
+}
+
+void tell_probe(Cells& cells, const Probe& probe) {
+  if (probe.values.empty()) return;
+  double least = infinity, largest = -infinity;
+  for (std::size_t i = 0; i < probe.values.size(); i++) {
+    least = std::min(least, probe.values[i]);
+    largest = std::max(largest, probe.values[i]);
+  }
+  cells.emplace_back(probe.name + " last", number_text(probe.values[probe.values.size() - 1]));
+  cells.emplace_back(probe.name + " least", number_text(least));
+  cells.emplace_back(probe.name + " largest", number_text(largest));
+}
+
+void tell_scene(CaseRow& row, const Scene& scene) {
+  const World& world = scene.world();
+  for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, text_of_value(value));
+  for (const Probe& probe : world.probes) tell_probe(row.told, probe);
+  const Stats& stats = world.stats;
+  const std::uint64_t iterations = stats.newton_iterations + stats.contact_iterations;
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash(world)));
+  row.measured = {{"time", number_text(world.time)},
+                  {"steps", std::to_string(world.steps)},
+                  {"hinge_gap", number_text(world.worst.hinge_gap)},
+                  {"constraint", number_text(world.worst.constraint)},
+                  {"penetration", number_text(world.worst.penetration)},
+                  {"energy_error", number_text(world.worst.energy)},
+                  {"iterations", std::to_string(iterations)},
+                  {"halved_steps", std::to_string(stats.halved_steps)},
+                  {"fallback_steps", std::to_string(stats.fallback_steps)},
+                  {"cost", std::to_string(iterations + stats.factorisations + stats.evaluations)},
+                  {"hash", hash}};
+}
+
+void add_names(std::vector<std::string>& names, const Cells& cells) {
+  for (const auto& [name, value] : cells)
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+const std::string& cell_of(const Cells& cells, const std::string& name) {
+  static const std::string empty;
+  for (const auto& [other, value] : cells)
+    if (other == name) return value;
+  return empty;
+}
+
+}  // namespace
+
+CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptions& options,
+                 std::optional<double> until, bool timed) {
+  CaseRow row;
+  row.number = number;
+  const double start = processor_time();
+  try {
+    const auto scene = lua::open_scene(path, options);
+    std::string failure;
+    try {
+      run_to_end(*scene, options, until);
+    } catch (const Error& error) { failure = error.what(); }
+    tell_scene(row, *scene);
+    if (!failure.empty()) row.measured.emplace_back("error", failure);
+  } catch (const std::exception& error) { row.measured.emplace_back("error", error.what()); }
+  if (timed) row.measured.emplace_back("seconds", number_text(processor_time() - start));
+  return row;
+}
+
+std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, bool timed) {
+  std::vector<std::string> told;
+  for (const CaseRow& row : rows) add_names(told, row.told);
+  const auto is_set = [&](const std::string& name) {
+    return std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
+  };
+  std::string out = "case";
+  for (const Axis& axis : cases.axes()) out += "," + csv_cell(axis.name);
+  for (const std::string& name : told) out += "," + csv_cell(is_set(name) ? name + " told" : name);
+  const auto is_told = [&](const std::string& name) { return timed || name != "seconds"; };
+  for (const char* name : measures)
+    if (is_told(name)) out += text(",", name);
+  out += "\n";
+  for (const CaseRow& row : rows) {
+    out += std::to_string(row.number);
+    for (const auto& [name, value] : cases.settings(row.number)) out += "," + csv_cell(value);
+    for (const std::string& name : told) out += "," + csv_cell(cell_of(row.told, name));
+    for (const char* name : measures)
+      if (is_told(name)) out += "," + csv_cell(cell_of(row.measured, name));
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,35 @@
+#pragma once
+// What one case of a sweep came to.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "player/sweep/cases.hpp"
+#include "scene/options.hpp"
+
+namespace pantin::player {
+
+/// Names and texts of cells; numbers read back as the same doubles.
+using Cells = std::vector<std::pair<std::string, std::string>>;
+
+struct CaseRow {
+  std::uint64_t number = 0;
+  Cells told;      ///< the scene's results, and of each probe the last, least and largest value
+  Cells measured;  ///< of `measures`, those that are known; one that failed has "error"
+};
+
+/// Columns that every table has, in their order: `seconds` only where it is timed.
+inline constexpr const char* measures[] = {
+    "time",         "steps",          "hinge_gap", "constraint", "penetration", "energy_error", "iterations",
+    "halved_steps", "fallback_steps", "cost",      "seconds",    "hash",        "error"};
+
+/// Runs a case on one thread; what fails is told in its row.
+CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptions& options,
+                 std::optional<double> until, bool timed);
+
+/// Comma-separated, a row per case: its number, what is set, what the scene told, what was measured.
+std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, bool timed);
+
+}  // namespace pantin::player

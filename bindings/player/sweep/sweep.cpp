@@ -1,0 +1,184 @@
+#include "player/sweep/sweep.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "base/hash.hpp"
+#include "lua/scene/open.hpp"
+#include "player/home.hpp"
+#include "player/interrupt.hpp"
+#include "player/message.hpp"
+#include "player/output.hpp"
+#include "player/sweep/journal.hpp"
+#include "player/sweep/workers.hpp"
+#include "scene/errors.hpp"
+
+namespace pantin::player {
+namespace {
+
+SceneOptions limits(const SweepOptions& options, const std::string& home) {
+  SceneOptions result;
+  result.script_limit = options.script_limit;
+  result.memory_limit = options.memory_limit;
+  result.home = home;
+  return result;
+}
+
+SceneOptions case_options(const SweepOptions& options, const std::string& home, const Cases& cases,
+                          std::uint64_t number) {
+  SceneOptions result = limits(options, home);
+  for (auto& [name, value] : cases.settings(number)) result.set[name] = value;
+  return result;
+}
+
+std::vector<Axis> read_axes(const SweepOptions& options) {
+  std::vector<Axis> axes;
+  for (const std::string& setting : options.settings) axes.push_back(read_axis(setting));
+  if (!options.seeds.empty()) axes.push_back(read_seeds(options.seeds));
+  for (std::size_t i = 0; i < axes.size(); i++)
+    for (std::size_t j = 0; j < i; j++)
+      if (axes[i].name == axes[j].name) throw UsageError(text("'", axes[i].name, "' is set twice"));
+  return axes;
+}
+
+/// Opens the scene once, which tells what it does not know, and which parameters are whole numbers. Returns a hash of all
+/// files that it read.
+std::uint64_t look_at_scene(std::vector<Axis>& axes, const std::string& path, const std::string& home,
+                            const SweepOptions& options) {
+  SceneOptions first = limits(options, home);
+  for (const Axis& axis : axes)
+    if (!axis.values.empty() || axis.whole) first.set[axis.name] = axis.value(0);
+  Hash hash;
+  first.on_read = [&](const FileRead& file) { hash.add(file.content); };
+  const auto scene = lua::open_scene(path, first);
+  const auto& parameters = scene->parameters();
+  for (Axis& axis : axes) {
+    const auto known = std::ranges::find(parameters, axis.name, &SceneParameter::name);
+    if (known == parameters.end() && !axis.name.starts_with("scene."))
+      throw UsageError(text("the scene has no parameter '", axis.name, "'"));
+    if (known == parameters.end() || !known->integer || !axis.values.empty()) continue;
+    axis.whole = true;
+    if (static_cast<double>(axis.count) > std::abs(axis.to - axis.from) + 1.0)
+      throw UsageError(text("'", axis.name,
+                            "' is a whole number in this scene, as its default has no point: there are no ", axis.count,
+                            " of them from ", axis.from, " to ", axis.to));
+  }
+  return hash.value;
+}
+
+/// What makes a sweep another one.
+std::string identity(const SweepOptions& options, std::uint64_t files, std::uint64_t cases) {
+  std::string all = text("pantin " PANTIN_VERSION " sweep of ", cases, " cases");
+  for (const std::string& setting : options.settings) all += " --set " + setting;
+  if (!options.seeds.empty()) all += " --seeds " + options.seeds;
+  if (options.sample > 0) all += text(" --sample ", options.sample);
+  if (options.until) all += text(" --until ", *options.until);
+  if (options.timed) all += " --timed";
+  all += text(" --script-limit ", options.script_limit, " --memory-limit ", options.memory_limit, ", files ", files);
+  std::ranges::replace(all, '\n', ' ');
+  return all;
+}
+
+/// A line on standard error that moves, where that is a terminal.
+class CaseProgress {
+ public:
+  CaseProgress(std::uint64_t done, std::uint64_t all) : before_(done), all_(all) {}
+  ~CaseProgress() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+  CaseProgress(const CaseProgress&) = delete;
+  CaseProgress& operator=(const CaseProgress&) = delete;
+  void show(std::uint64_t done, std::uint64_t failed) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || now < next_ || done <= before_) return;
+    next_ = now + std::chrono::milliseconds(200);
+    const double spent = std::chrono::duration<double>(now - start_).count();
+    const double left = spent * static_cast<double>(all_ - done) / static_cast<double>(done - before_);
+    std::fprintf(stderr, "\r\033[K%llu of %llu cases, %llu failed, %.0f s left", static_cast<unsigned long long>(done),
+                 static_cast<unsigned long long>(all_), static_cast<unsigned long long>(failed), left);
+    std::fflush(stderr);
+    shown_ = true;
+  }
+
+ private:
+  std::uint64_t before_, all_;
+  bool terminal_ = isatty(STDERR_FILENO) != 0, shown_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), next_ = start_;
+};
+
+bool failed(const CaseRow& row) {
+  return std::ranges::any_of(row.measured, [](const auto& cell) { return cell.first == "error"; });
+}
+
+std::uint64_t failures(const Journal& journal) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(journal.rows(), [](const auto& row) { return failed(row.second); }));
+}
+
+int jobs_of(const SweepOptions& options, std::uint64_t cases) {
+  const int most = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(most), std::max<std::uint64_t>(1, cases)));
+}
+
+/// False where Ctrl-C came first.
+bool do_cases(const SweepOptions& options, const std::string& path, const std::string& home, const Cases& cases,
+              Journal& journal) {
+  Workers workers(jobs_of(options, cases.count() - journal.rows().size()), [&](std::uint64_t number) {
+    return line_of(run_case(number, path, case_options(options, home, cases, number), options.until, options.timed));
+  });
+  CaseProgress progress(journal.rows().size(), cases.count());
+  std::uint64_t next = 0, bad = failures(journal);
+  const auto keep = [&](CaseRow row) {
+    bad += failed(row) ? 1u : 0u;
+    journal.add(std::move(row));
+    progress.show(journal.rows().size(), bad);
+  };
+  return workers.run(
+      [&]() -> std::optional<std::uint64_t> {
+        while (next < cases.count() && journal.rows().contains(next)) next++;
+        if (next == cases.count()) return {};
+        return next++;
+      },
+      [&](std::uint64_t, const std::string& line) { keep(row_of(line)); },
+      [&](std::uint64_t number, const std::string& how) {
+        keep({number, {}, {{"error", how}}});
+      });
+}
+
+}  // namespace
+
+int sweep(const SweepOptions& options, const std::string& home) {
+  const std::string path = find_scene(options.scene, home);
+  std::vector<Axis> axes = read_axes(options);
+  if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
+  const std::uint64_t known = Cases(axes, options.sample).count();
+  const std::uint64_t files = look_at_scene(axes, path, home, options);
+  const Cases cases(std::move(axes), options.sample);
+  Output(options.out).drop();  // whether it can be written is known now
+  Journal journal(options.out + ".journal", identity(options, files, known));
+  const std::uint64_t before = journal.rows().size();
+  if (before > 0) say(text("going on: ", before, " of ", known, " cases are done already"));
+  Interrupt interrupt;
+  if (!do_cases(options, path, home, cases, journal)) {
+    say(text("stopped: ", journal.rows().size(), " of ", known,
+             " cases are done; the same command goes on with the rest"));
+    return 1;
+  }
+  std::vector<CaseRow> rows;
+  for (const auto& [number, row] : journal.rows()) rows.push_back(row);
+  Output table(options.out);
+  table.write(case_table(cases, rows, options.timed));
+  table.keep();
+  journal.remove();
+  const std::uint64_t bad = failures(journal);
+  std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(known),
+              static_cast<unsigned long long>(bad), options.out.c_str());
+  return 0;
+}
+
+}  // namespace pantin::player

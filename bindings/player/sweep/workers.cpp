@@ -1,0 +1,149 @@
+#include "player/sweep/workers.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "player/interrupt.hpp"
+#include "scene/errors.hpp"
+
+namespace pantin::player {
+namespace {
+
+bool write_all(int file, const void* data, std::size_t size) {
+  const char* at = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t n = write(file, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    at += n;
+    size -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+bool read_all(int file, void* data, std::size_t size) {
+  char* at = static_cast<char*>(data);
+  while (size > 0) {
+    const ssize_t n = read(file, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    at += n;
+    size -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+std::string how_it_ended(int status) {
+  if (!WIFSIGNALED(status)) return text("its process ended with exit code ", WEXITSTATUS(status));
+  return text("its process was ended by signal ", WTERMSIG(status), " (", strsignal(WTERMSIG(status)), ")");
+}
+
+}  // namespace
+
+Workers::Workers(int count, std::function<std::string(std::uint64_t)> work)
+    : work_(std::move(work)), workers_(static_cast<std::size_t>(count)) {}
+
+Workers::~Workers() {
+  for (Worker& worker : workers_) {
+    if (worker.process > 0) kill(worker.process, SIGKILL);
+    end(worker);
+  }
+}
+
+void Workers::serve(int from, int to) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGINT, SIG_IGN);  // which the terminal sends to all: the first process ends this one
+  std::signal(SIGTERM, SIG_DFL);
+  if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+  }
+  for (std::uint64_t piece = 0; read_all(from, &piece, sizeof piece);) {
+    const std::string result = work_(piece);
+    const std::uint64_t size = result.size();
+    if (!write_all(to, &size, sizeof size) || !write_all(to, result.data(), result.size())) break;
+  }
+  _exit(0);
+}
+
+void Workers::start(Worker& worker) {
+  std::array<int, 2> there{}, back{};
+  require(pipe2(there.data(), O_CLOEXEC) == 0, "sweep: no pipe: ", std::strerror(errno));
+  require(pipe2(back.data(), O_CLOEXEC) == 0, "sweep: no pipe: ", std::strerror(errno));
+  worker.process = fork();
+  require(worker.process >= 0, "sweep: no process: ", std::strerror(errno));
+  if (worker.process == 0) {
+    for (const Worker& other : workers_) {  // else they would never see the end of their pipes
+      if (other.to >= 0) close(other.to);
+      if (other.from >= 0) close(other.from);
+    }
+    close(there[1]);
+    close(back[0]);
+    serve(there[0], back[1]);
+  }
+  close(there[0]);
+  close(back[1]);
+  worker.to = there[1];
+  worker.from = back[0];
+}
+
+std::string Workers::end(Worker& worker) {
+  if (worker.to >= 0) close(worker.to);
+  if (worker.from >= 0) close(worker.from);
+  int status = 0;
+  if (worker.process > 0)
+    while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {}
+  worker = {};
+  return how_it_ended(status);
+}
+
+bool Workers::run(const std::function<std::optional<std::uint64_t>()>& next,
+                  const std::function<void(std::uint64_t, const std::string&)>& done,
+                  const std::function<void(std::uint64_t, const std::string&)>& died) {
+  std::size_t busy = 0;
+  const auto give = [&](Worker& worker) {
+    const auto piece = next();
+    if (!piece) return;
+    if (worker.process < 0) start(worker);
+    worker.busy = piece;
+    busy++;
+    write_all(worker.to, &*piece, sizeof *piece);  // where it is dead, the end of its pipe tells
+  };
+  for (Worker& worker : workers_) give(worker);
+  while (busy > 0) {
+    if (Interrupt::asked()) return false;
+    std::vector<pollfd> ends;
+    for (const Worker& worker : workers_) ends.push_back({worker.busy ? worker.from : -1, POLLIN, 0});
+    if (poll(ends.data(), ends.size(), 200) <= 0) continue;
+    for (std::size_t i = 0; i < ends.size(); i++) {
+      if (ends[i].revents == 0) continue;
+      Worker& worker = workers_[i];
+      const std::uint64_t piece = worker.busy.value();
+      std::uint64_t size = 0;
+      std::string result;
+      bool whole = read_all(worker.from, &size, sizeof size);
+      if (whole) {
+        result.resize(size);
+        whole = read_all(worker.from, result.data(), size);
+      }
+      worker.busy.reset();
+      busy--;
+      if (whole)
+        done(piece, result);
+      else
+        died(piece, end(worker));
+      if (!Interrupt::asked()) give(worker);
+    }
+  }
+  return !Interrupt::asked();
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,169 @@
+// `pantin sweep`: cases, table, journal, and processes that die.
+#include "player/sweep/sweep.hpp"
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <sstream>
+
+#include "bindings/program_support.hpp"
+#include "player/sweep/cases.hpp"
+#include "player/sweep/journal.hpp"
+#include "scene/errors.hpp"
+
+using namespace pantin;
+using namespace pantin::support;
+using Catch::Contains;
+
+namespace {
+
+const char* const pendulum = R"(
+local length = scene:param("length", 1.0, { min = 0.1, max = 10 })
+local links = scene:param("links", 3)
+local bob = scene:particle { at = vec(length, 0, 0), mass = 1 }
+scene:rod(bob, vec(0, 0, 0))
+scene:probe("height", function() return bob.position.y end)
+scene:result("noise", math.random())
+if length > 4.5 then error("too long") end
+)";
+
+std::vector<std::string> values_of(const player::Axis& axis) {
+  std::vector<std::string> values;
+  for (std::uint64_t i = 0; i < axis.size(); i++) values.push_back(axis.value(i));
+  return values;
+}
+
+std::vector<std::string> rows_of(const std::string& table) {
+  std::vector<std::string> rows;
+  std::istringstream in(table);
+  for (std::string row; std::getline(in, row);) rows.push_back(row);
+  return rows;
+}
+
+/// A sweep in a folder that has the pendulum, into t.csv.
+Finished sweep_pendulum(const Folder& folder, std::vector<std::string> more) {
+  write_file(folder / "pendulum.lua", pendulum);
+  std::vector<std::string> arguments = {"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return use(folder, arguments);
+}
+
+const std::vector<std::string> grid = {"--set", "length=1:4:4", "--set", "links=2,3", "--seeds", "1:5"};
+
+}  // namespace
+
+TEST_CASE("sweep: a range has both its ends and is even, in the logarithm too; a list is as it is") {
+  CHECK(values_of(player::read_axis("a=1:2:5")) == std::vector<std::string>{"1", "1.25", "1.5", "1.75", "2"});
+  CHECK(values_of(player::read_axis("a=1:1e4:3:log")) == std::vector<std::string>{"1", "100", "10000"});
+  CHECK(values_of(player::read_axis("a=3:1:3")) == std::vector<std::string>{"3", "2", "1"});
+  CHECK(values_of(player::read_axis("kind=rod,string")) == std::vector<std::string>{"rod", "string"});
+  CHECK(values_of(player::read_axis("scene.step=1/60")) == std::vector<std::string>{"1/60"});
+  CHECK(values_of(player::read_seeds("3:5")) == std::vector<std::string>{"3", "4", "5"});
+}
+
+TEST_CASE("sweep: values that are none are refused before anything runs") {
+  for (const char* bad : {"a", "=1", "a=1:2:1", "a=1:2:x", "a=1:inf:3", "a=0:1:3:log", "a=1,,2", "a=1:2:3:4"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(player::read_axis(bad), UsageError);
+  }
+  for (const char* bad : {"5:1", "x", "1:", "-1", "1.5"}) CHECK_THROWS_AS(player::read_seeds(bad), UsageError);
+  using player::Cases, player::read_axis;
+  CHECK_THROWS_WITH(Cases({read_axis("a=0:1:1000000"), read_axis("b=0:1:1000000")}, 0), Contains("1e+12 cases"));
+  CHECK_THROWS_WITH(Cases({read_axis("a=0:1")}, 0), Contains("has no count"));
+}
+
+TEST_CASE("sweep: a Latin hypercube has each of its strips once") {
+  const player::Cases cases({player::read_axis("a=0:1"), player::read_axis("b=10:20")}, 100);
+  std::vector<int> strips_a(100), strips_b(100);
+  for (std::uint64_t i = 0; i < cases.count(); i++) {
+    const auto set = cases.settings(i);
+    strips_a[static_cast<std::size_t>(100 * std::stod(set[0].second))]++;
+    strips_b[static_cast<std::size_t>(10 * (std::stod(set[1].second) - 10))]++;
+  }
+  CHECK(strips_a == std::vector<int>(100, 1));
+  CHECK(strips_b == std::vector<int>(100, 1));
+}
+
+TEST_CASE("sweep: the table has a row a case, the same by one process and by several") {
+  Folder one, three;
+  auto arguments = grid;
+  arguments.insert(arguments.end(), {"--jobs", "1"});
+  const Finished first = sweep_pendulum(one, arguments);
+  CHECK(first.code == 0);
+  CHECK(first.out == "40 cases, 0 of them failed: t.csv\n");
+  arguments.back() = "3";
+  CHECK(sweep_pendulum(three, arguments).code == 0);
+  const std::string table = read_file(one / "t.csv");
+  CHECK(table == read_file(three / "t.csv"));
+  CHECK(one.files() == std::vector<std::string>{"pendulum.lua", "t.csv"});
+  const auto rows = rows_of(table);
+  REQUIRE(rows.size() == 41);
+  CHECK_THAT(rows[0], Contains("case,length,links,scene.seed,noise,height last,height least,height largest,time"));
+  CHECK_THAT(rows[1], Contains("0,1,2,1,"));
+  CHECK_THAT(rows[40], Contains("39,4,3,5,"));
+  CHECK(rows[1] != rows[2]);  // by another seed
+}
+
+TEST_CASE("sweep: a case that fails is a row with its error, and the others have theirs") {
+  Folder folder;
+  const Finished run = sweep_pendulum(folder, {"--set", "length=4,5"});
+  CHECK(run.code == 0);
+  CHECK(run.out == "2 cases, 1 of them failed: t.csv\n");
+  const auto rows = rows_of(read_file(folder / "t.csv"));
+  CHECK_THAT(rows.at(2), Contains("pendulum.lua:8: too long"));
+}
+
+TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothing") {
+  Folder folder;
+  const auto refused = [&](std::vector<std::string> more, const char* why) {
+    const Finished run = sweep_pendulum(folder, std::move(more));
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err, Contains(why));
+    CHECK(folder.files() == std::vector<std::string>{"pendulum.lua"});
+  };
+  refused({}, "needs --set");
+  refused({"--set", "mass=1,2"}, "no parameter 'mass'");
+  refused({"--set", "mass=1:2:3"}, "no parameter 'mass'");
+  refused({"--set", "length=1,2", "--set", "length=3"}, "set twice");
+  refused({"--set", "links=1:3:9"}, "a whole number in this scene");
+  refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");
+}
+
+TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table") {
+  Folder whole, cut;
+  REQUIRE(sweep_pendulum(whole, grid).code == 0);
+  write_file(cut / "pendulum.lua", pendulum);
+  auto arguments = std::vector<std::string>{"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv"};
+  arguments.insert(arguments.end(), grid.begin(), grid.end());
+  for (int i = 0; i < 3; i++) {
+    Process process(options(arguments, cut.path));
+    process.wait(0.02 + 0.01 * i);
+    process.signal(SIGKILL);
+    process.wait(10.0);
+  }
+  REQUIRE(use(cut, arguments).code == 0);
+  CHECK(read_file(cut / "t.csv") == read_file(whole / "t.csv"));
+  CHECK(cut.files() == whole.files());
+}
+
+TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or changed by hand, is refused") {
+  Folder folder;
+  const std::string path = folder / "t.csv.journal";
+  const player::CaseRow row = {7, {{"a", "1"}}, {{"error", "x"}}};
+  { player::Journal(path, "one").add(row); }
+  const std::string content = read_file(path);
+  write_file(path, content + "0123");
+  CHECK(player::Journal(path, "one").rows().at(7).told == row.told);
+  CHECK(read_file(path) == content);
+  CHECK_THROWS_WITH(player::Journal(path, "two"), Contains("another sweep"));
+  std::string changed = content;
+  changed[changed.find("\"1\"") + 1] = '2';
+  write_file(path, changed);
+  CHECK_THROWS_WITH(player::Journal(path, "one"), Contains(":2: this line was changed"));
+}
+
+TEST_CASE("sweep: two into one table are refused") {
+  Folder folder;
+  const std::string path = folder / "t.csv.journal";
+  const player::Journal first(path, "one");
+  CHECK_THROWS_WITH(player::Journal(path, "one"), Contains("another sweep is writing"));
+}
