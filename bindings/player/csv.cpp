@@ -11,6 +11,31 @@ std::string csv_cell(const std::string& text) {
   return result + "\"";
 }
 
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row{""};
+  bool quoted = false;
+  const auto end_row = [&] {
+    if (row.size() > 1 || !row[0].empty()) rows.push_back(row);
+    row = {""};
+  };
+  for (std::size_t i = 0; i < text.size(); i++) {
+    const char c = text[i];
+    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"')
+      row.back() += text[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && c == ',')
+      row.emplace_back();
+    else if (!quoted && c == '\n')
+      end_row();
+    else if (quoted || c != '\r')
+      row.back() += c;
+  }
+  end_row();
+  return rows;
+}
+
 std::string number_text(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};

@@ -190,6 +190,29 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
   add_limits(*command, scene, texts);
 }
 
+std::string check_svg(const std::string& path) {
+  return path.ends_with(".svg") ? "" : text("'", path, "' must end in .svg");
+}
+
+/// `pantin plot`.
+void add_plot(CLI::App& app, PlotOptions& plot) {
+  CLI::App* command = app.add_subcommand("plot", "Draws columns of a table against each other: lines, or a heat map");
+  command
+      ->add_option("table", plot.table, "A .csv file with names in its first row, as `sweep` and `run --out` write it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  command->add_option("--x", plot.x, "Column along the picture")->required()->type_name("COLUMN");
+  command->add_option("--y", plot.y, "Column up the picture; rows with an equal x are drawn as their mean")
+      ->required()
+      ->type_name("COLUMN");
+  command->add_option("--by", plot.by, "A line for each value of this column")->type_name("COLUMN");
+  command->add_option("--color", plot.color, "A heat map of this column over x and y")->type_name("COLUMN");
+  command->add_option("--log", plot.log, "Columns whose axis is logarithmic")->delimiter(',')->type_name("COLUMN,...");
+  command->add_option("--title", plot.title, "[the table's name]");
+  command->add_flag("--points", plot.points, "Points that no lines join");
+  command->add_option("--out", plot.out, "The picture")->required()->check(check_svg)->type_name("FILE.svg");
+}
+
 /// What belongs together of that.
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
@@ -202,9 +225,9 @@ void settle_state(RunOptions& run) {
 Options::Command command_of(const CLI::App& app) {
   using Command = Options::Command;
   constexpr std::pair<const char*, Command> commands[] = {
-      {"play", Command::play},   {"run", Command::run},   {"replay", Command::replay}, {"report", Command::report},
-      {"test", Command::test},   {"fuzz", Command::fuzz}, {"soak", Command::soak},     {"sweep", Command::sweep},
-      {"bench", Command::bench}, {"meta", Command::meta}};
+      {"play", Command::play}, {"run", Command::run},     {"replay", Command::replay}, {"report", Command::report},
+      {"test", Command::test}, {"fuzz", Command::fuzz},   {"soak", Command::soak},     {"sweep", Command::sweep},
+      {"plot", Command::plot}, {"bench", Command::bench}, {"meta", Command::meta}};
   const CLI::App* used = app.get_subcommands().front();
   if (!used->get_subcommands().empty()) used = used->get_subcommands().front();
   for (const auto& [name, command] : commands)
@@ -214,7 +237,7 @@ Options::Command command_of(const CLI::App& app) {
 
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw UsageError(what + ": give play, run, replay, report, sweep, test or bench (pantin --help tells more)");
+  throw UsageError(what + ": give play, run, replay, report, sweep, plot, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
@@ -303,6 +326,7 @@ Options read_options(int argc, const char* const* argv) {
   add_fuzz(*test, options.fuzz);
   add_soak(*test, options.soak);
   add_sweep(app, options.sweep, options.run, texts);
+  add_plot(app, options.plot);
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");

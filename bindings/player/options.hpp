@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "player/fuzz.hpp"
+#include "player/plot_table.hpp"
 #include "player/soak.hpp"
 #include "player/sweep/sweep.hpp"
 #include "scene/options.hpp"
@@ -43,7 +44,7 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, fuzz, soak, sweep, bench, meta };
+  enum class Command { none, play, run, replay, report, test, fuzz, soak, sweep, plot, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
@@ -51,6 +52,7 @@ struct Options {
   FuzzOptions fuzz;
   SoakOptions soak;
   SweepOptions sweep;
+  PlotOptions plot;
   std::string prefix;  ///< of the files that `report` writes; empty: after the scene
 };
 

@@ -5,13 +5,13 @@
 
 namespace pantin::player {
 
-/// Points joined in their order. Those that are not finite and positive are left out.
+/// Points in their order. Those that are not finite, or on a logarithmic axis not positive, are left out.
 struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;
 };
 
-/// Two logarithmic axes and the series between them.
+/// Two axes, logarithmic unless they are linear, and the series between them.
 struct Plot {
   std::string title, x_name, y_name;
   std::vector<Series> series;
@@ -19,6 +19,8 @@ struct Plot {
   double level = 0.0;           ///< its height; 0: none
   std::string mark_name = {};   ///< of a ring
   std::pair<double, double> mark = {0.0, 0.0};
+  bool linear_x = false, linear_y = false;
+  bool joined = true;  ///< by lines, in each series
 };
 
 /// An SVG picture of the plots, `columns` in a row, with one legend for all: a name has the same colour in each. The

@@ -17,6 +17,7 @@
 #include "player/message.hpp"
 #include "player/options.hpp"
 #include "player/play.hpp"
+#include "player/plot_table.hpp"
 #include "player/replay.hpp"
 #include "player/report.hpp"
 #include "player/run.hpp"
@@ -39,6 +40,7 @@ int do_command(const Options& options) {
     case Options::Command::fuzz: return fuzz(options.fuzz, find_home());
     case Options::Command::soak: return soak(options.soak, find_home());
     case Options::Command::sweep: return sweep(options.sweep, find_home());
+    case Options::Command::plot: return plot_table(options.plot);
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta:
       std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference() + key_reference());

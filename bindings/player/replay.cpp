@@ -27,7 +27,7 @@ constexpr const char* home_as_recorded = "pantin:";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string text_of(const SceneValue& value) {
+std::string set_text(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   return std::get<std::string>(value);
@@ -119,7 +119,7 @@ void Replay::check(const StateCheck& check) {
 /// What was refused when it was recorded is refused again.
 void Replay::change(const ParameterChange& change) {
   const auto before = options_.set;
-  options_.set[change.name] = text_of(change.value);
+  options_.set[change.name] = set_text(change.value);
   try {
     if (!scene_->set_parameter(change.name, change.value)) open();
   } catch (const Error&) { options_.set = before; }

@@ -15,7 +15,7 @@
 namespace pantin::player {
 namespace {
 
-std::string text_of_value(const SceneValue& value) {
+std::string result_cell(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   return std::get<std::string>(value);
@@ -48,7 +48,7 @@ void tell_probe(Cells& cells, const Probe& probe) {
 
 void tell_scene(CaseRow& row, const Scene& scene) {
   const World& world = scene.world();
-  for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, text_of_value(value));
+  for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, result_cell(value));
   for (const Probe& probe : world.probes) tell_probe(row.told, probe);
   const Stats& stats = world.stats;
   const std::uint64_t iterations = stats.newton_iterations + stats.contact_iterations;

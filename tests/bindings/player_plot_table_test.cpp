@@ -1,0 +1,83 @@
+// `pantin plot`: columns of a table as lines and as a heat map.
+#include "player/plot_table.hpp"
+
+#include <catch2/catch.hpp>
+#include <regex>
+
+#include "player/csv.hpp"
+#include "scene/errors.hpp"
+#include "support/process.hpp"
+
+using namespace pantin;
+using namespace pantin::support;
+using Catch::Contains;
+
+namespace {
+
+const char* const table =
+    "case,size,rate,cost,name\n0,1,10,5,a\n1,2,10,7,a\n2,1,20,1,b\n3,2,20,x,b\n4,2,20,3,b\n5,2,20,5,b\n";
+
+/// The picture; `more` changes what is asked for.
+std::string picture(const Folder& folder, player::PlotOptions options) {
+  write_file(folder / "t.csv", table);
+  options.table = folder / "t.csv";
+  options.out = folder / "t.svg";
+  CHECK(player::plot_table(options) == 0);
+  return read_file(options.out);
+}
+
+std::size_t count(const std::string& text, const std::string& pattern) {
+  const std::regex wanted(pattern);
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), wanted), std::sregex_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("plot_table: a line for each value of a column, through the means of rows with an equal x") {
+  Folder folder;
+  const std::string svg = picture(folder, {.x = "size", .y = "cost", .by = "name"});
+  CHECK(count(svg, "<polyline") == 2);
+  CHECK(count(svg, "<circle") == 4);
+  CHECK_THAT(svg, Contains("name = a") && Contains("name = b") && Contains(">t<"));
+}
+
+TEST_CASE("plot_table: points alone, and axes that are logarithmic") {
+  Folder folder;
+  const std::string svg =
+      picture(folder, {.x = "size", .y = "cost", .log = {"cost"}, .title = "a < b", .points = true});
+  CHECK(count(svg, "<polyline") == 0);
+  CHECK_THAT(svg, Contains("10⁰") && Contains("a &lt; b"));
+}
+
+TEST_CASE("plot_table: a heat map has a tile for each pair that is known") {
+  Folder folder;
+  const std::string svg = picture(folder, {.x = "size", .y = "rate", .color = "cost"});
+  CHECK(count(svg, "<rect") == 4 + 60);  // and the scale of colours
+  CHECK_THAT(svg, Contains("#440154") && Contains("#fde725"));
+}
+
+TEST_CASE("plot_table: what cannot be drawn is told, and leaves no file") {
+  Folder folder;
+  write_file(folder / "t.csv", table);
+  const auto refused = [&](player::PlotOptions options, const char* why) {
+    options.table = folder / "t.csv";
+    options.out = folder / "t.svg";
+    CHECK_THROWS_WITH(player::plot_table(options), Contains(why));
+    CHECK(folder.files() == std::vector<std::string>{"t.csv"});
+  };
+  refused({.x = "sise", .y = "cost"}, "no column 'sise'. It has case, size, rate, cost, name");
+  refused({.x = "size", .y = "name"}, "no row has numbers");
+  refused({.x = "size", .y = "cost", .by = "name", .color = "rate"}, "one of them");
+  refused({.x = "size", .y = "cost", .log = {"rate"}}, "no axis");
+  write_file(folder / "t.csv", "a,b\n1\n");
+  refused({.x = "a", .y = "b"}, "row 2 has 1 cells");
+  write_file(folder / "t.csv", "a,b\n");
+  refused({.x = "a", .y = "b"}, "has no rows");
+}
+
+TEST_CASE("plot_table: a table is read as it was written, with quotes and line breaks in cells") {
+  const std::string cell = "he said \"no, never\"\nand left";
+  const auto rows = player::read_csv("a," + player::csv_cell(cell) + "\r\n1,2\n");
+  CHECK(rows == std::vector<std::vector<std::string>>{{"a", cell}, {"1", "2"}});
+}
