@@ -167,3 +167,19 @@ TEST_CASE("sweep: two into one table are refused") {
   const player::Journal first(path, "one");
   CHECK_THROWS_WITH(player::Journal(path, "one"), Contains("another sweep is writing"));
 }
+
+TEST_CASE("sweep: processes that mpirun starts come to the same table, or are told that there is no MPI") {
+  if (!have_program("mpirun")) return;
+  Folder one, three;
+  REQUIRE(sweep_pendulum(one, grid).code == 0);
+  write_file(three / "pendulum.lua", pendulum);
+  Process::Options started = options({"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv"}, three.path);
+  started.arguments.insert(started.arguments.begin(), {"mpirun", "--oversubscribe", "-n", "3"});
+  started.arguments.insert(started.arguments.end(), grid.begin(), grid.end());
+  started.environment.insert(started.environment.end(),
+                             {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  const Finished run = finish(started);
+  if (run.err.find("built without MPI") != std::string::npos) return;
+  CHECK(run.code == 0);
+  CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
+}

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <thread>
 
 #include "base/hash.hpp"
@@ -15,6 +17,7 @@
 #include "player/message.hpp"
 #include "player/output.hpp"
 #include "player/sweep/journal.hpp"
+#include "player/sweep/ranks.hpp"
 #include "player/sweep/workers.hpp"
 #include "scene/errors.hpp"
 
@@ -125,29 +128,64 @@ int jobs_of(const SweepOptions& options, std::uint64_t cases) {
   return static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(most), std::max<std::uint64_t>(1, cases)));
 }
 
+/// What is to be done of a sweep, and what is done.
+class Course {
+ public:
+  Course(const Cases& cases, Journal& journal)
+      : cases_(cases), journal_(journal), progress_(journal.rows().size(), cases.count()), bad_(failures(journal)) {}
+  /// The next case that has no row.
+  std::optional<std::uint64_t> next() {
+    while (next_ < cases_.count() && journal_.rows().contains(next_)) next_++;
+    if (next_ == cases_.count()) return {};
+    return next_++;
+  }
+  void keep(CaseRow row) {
+    bad_ += failed(row) ? 1u : 0u;
+    journal_.add(std::move(row));
+    progress_.show(journal_.rows().size(), bad_);
+  }
+
+ private:
+  const Cases& cases_;
+  Journal& journal_;
+  CaseProgress progress_;
+  std::uint64_t next_ = 0, bad_;
+};
+
 /// False where Ctrl-C came first.
-bool do_cases(const SweepOptions& options, const std::string& path, const std::string& home, const Cases& cases,
-              Journal& journal) {
-  Workers workers(jobs_of(options, cases.count() - journal.rows().size()), [&](std::uint64_t number) {
-    return line_of(run_case(number, path, case_options(options, home, cases, number), options.until, options.timed));
+bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Journal& journal,
+              const std::function<std::string(std::uint64_t)>& work) {
+  Course course(cases, journal);
+  const auto next = [&] { return course.next(); };
+  const auto done = [&](std::uint64_t, const std::string& line) { course.keep(row_of(line)); };
+  if (ranks) return ranks->hand_out(next, done);
+  Workers workers(jobs_of(options, cases.count() - journal.rows().size()), work);
+  return workers.run(next, done, [&](std::uint64_t number, const std::string& how) {
+    course.keep({number, {}, {{"error", how}}});
   });
-  CaseProgress progress(journal.rows().size(), cases.count());
-  std::uint64_t next = 0, bad = failures(journal);
-  const auto keep = [&](CaseRow row) {
-    bad += failed(row) ? 1u : 0u;
-    journal.add(std::move(row));
-    progress.show(journal.rows().size(), bad);
-  };
-  return workers.run(
-      [&]() -> std::optional<std::uint64_t> {
-        while (next < cases.count() && journal.rows().contains(next)) next++;
-        if (next == cases.count()) return {};
-        return next++;
-      },
-      [&](std::uint64_t, const std::string& line) { keep(row_of(line)); },
-      [&](std::uint64_t number, const std::string& how) {
-        keep({number, {}, {{"error", how}}});
-      });
+}
+
+/// Of the process that writes it.
+int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ranks, const Cases& cases,
+                const std::function<std::string(std::uint64_t)>& work) {
+  Output(options.out).drop();  // whether it can be written is known now
+  Journal journal(options.out + ".journal", sweep);
+  const std::uint64_t before = journal.rows().size(), all = cases.count();
+  if (before > 0) say(text("going on: ", before, " of ", all, " cases are done already"));
+  if (!do_cases(options, ranks, cases, journal, work)) {
+    say(text("stopped: ", journal.rows().size(), " of ", all,
+             " cases are done; the same command goes on with the rest"));
+    return 1;
+  }
+  std::vector<CaseRow> rows;
+  for (const auto& [number, row] : journal.rows()) rows.push_back(row);
+  Output table(options.out);
+  table.write(case_table(cases, rows, options.timed));
+  table.keep();
+  journal.remove();
+  std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(all),
+              static_cast<unsigned long long>(failures(journal)), options.out.c_str());
+  return 0;
 }
 
 }  // namespace
@@ -159,26 +197,17 @@ int sweep(const SweepOptions& options, const std::string& home) {
   const std::uint64_t known = Cases(axes, options.sample).count();
   const std::uint64_t files = look_at_scene(axes, path, home, options);
   const Cases cases(std::move(axes), options.sample);
-  Output(options.out).drop();  // whether it can be written is known now
-  Journal journal(options.out + ".journal", identity(options, files, known));
-  const std::uint64_t before = journal.rows().size();
-  if (before > 0) say(text("going on: ", before, " of ", known, " cases are done already"));
+  const auto work = [&](std::uint64_t number) {
+    return line_of(run_case(number, path, case_options(options, home, cases, number), options.until, options.timed));
+  };
+  std::optional<Ranks> ranks;
+  if (ranks_started() > 1) ranks.emplace();
   Interrupt interrupt;
-  if (!do_cases(options, path, home, cases, journal)) {
-    say(text("stopped: ", journal.rows().size(), " of ", known,
-             " cases are done; the same command goes on with the rest"));
-    return 1;
+  if (ranks && !ranks->first()) {
+    ranks->serve(work);
+    return 0;
   }
-  std::vector<CaseRow> rows;
-  for (const auto& [number, row] : journal.rows()) rows.push_back(row);
-  Output table(options.out);
-  table.write(case_table(cases, rows, options.timed));
-  table.keep();
-  journal.remove();
-  const std::uint64_t bad = failures(journal);
-  std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(known),
-              static_cast<unsigned long long>(bad), options.out.c_str());
-  return 0;
+  return write_sweep(options, identity(options, files, known), ranks ? &*ranks : nullptr, cases, work);
 }
 
 }  // namespace pantin::player
