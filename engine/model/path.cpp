@@ -55,8 +55,8 @@ Path::Path(std::vector<Vec3> positions, bool smooth, bool closed)
 const Path::Piece& Path::piece(double u, double& t) const {
   const double count = pieces();
   if (closed_) u -= count * std::floor(u / count);
-  const double index = std::fmin(std::fmax(std::floor(u), 0.0), count - 1.0);
-  t = std::fmin(std::fmax(u - index, 0.0), 1.0);
+  const double index = u > 0.0 ? std::min(std::floor(u), count - 1.0) : 0.0;
+  t = u > index ? std::min(u - index, 1.0) : 0.0;
   return pieces_[static_cast<std::size_t>(index)];
 }
 
@@ -78,20 +78,24 @@ double Path::step_towards(Vec3 to, double u) const {
   const Vec3 position = p.a + (p.b + (p.c + p.d * t) * t) * t, slope = p.b + (2.0 * p.c + 3.0 * p.d * t) * t;
   const Vec3 bend = 2.0 * p.c + 6.0 * p.d * t, off = to - position;
   const double first = dot(off, slope), second = norm2(slope) - dot(off, bend);
-  return first / std::fmax(second, 0.3 * norm2(slope));
+  return first / std::max(0.3 * norm2(slope), second);
 }
 
 double Path::nearest(Vec3 to, double u) const {
   const double count = pieces();
-  double last = infinity;
-  for (int i = 0; i < 50; i++) {
-    const double change = std::fmin(std::fmax(step_towards(to, u), -0.5), 0.5);
+  constexpr int most_steps = 50;
+  double last = infinity, before = infinity;
+  for (int left = most_steps - 1; left >= 0; left--) {
+    const double change = std::min(std::max(-0.5, step_towards(to, u)), 0.5);
     double next = u + change;
-    if (!closed_) next = std::fmin(std::fmax(next, 0.0), count);
+    if (!closed_) next = std::min(std::max(0.0, next), count);
     // A step over the end of a piece stops there first: the next piece has its own slope.
     const double edge = change > 0.0 ? std::floor(u) + 1.0 : std::ceil(u) - 1.0;
     if ((change > 0.0 && next > edge) || (change < 0.0 && next < edge)) next = edge;
     const double moved = std::fabs(next - u);
+    // At a corner whose two pieces both lead to it the steps go to and fro: what is left of them is known.
+    if (next == before && moved > 1e-12 * count) return left % 2 == 0 ? next : u;
+    before = u;
     u = next;
     if (moved == 0.0 || (moved < 1e-15 * count) || (moved >= last && moved < 1e-12 * count)) break;
     last = moved;

@@ -1,5 +1,6 @@
 // Constraints that guide points, against closed forms.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 
 #include "constraints/kind.hpp"
@@ -192,6 +193,21 @@ TEST_CASE(
     REQUIRE(std::fabs(position(world, b)[1] - wanted) < 0.01 * wanted + 1e-9);
   }
   CHECK(world.worst.constraint < 1e-10);
+}
+
+TEST_CASE("guide_constraints: the nearest position is found as soon at a corner of a path as beside it") {
+  const Path path({zero3(), vec(1, 0, 0), vec(0.5, 1, 0)}, false, true);
+  const auto seconds = [&](Vec3 to, double from) {
+    double least = infinity, sum = 0.0;
+    for (int round = 0; round < 5; round++) {
+      const auto start = std::chrono::steady_clock::now();
+      for (int i = 0; i < 20'000; i++) sum += path.nearest(to, from);
+      least = std::fmin(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    CHECK(std::isfinite(sum));
+    return least;
+  };
+  CHECK(seconds(vec(1.2, -0.1, 0), 0.7) < 8.0 * seconds(vec(0.5, -0.1, 0), 0.3));
 }
 
 TEST_CASE("guides say what is wrong with what they are given") {

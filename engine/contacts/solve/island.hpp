@@ -113,7 +113,8 @@ struct PairBlocks {
 /// The matrix M + Σ G' D G + Σ T' k T, or that of ties alone: rows 2i of the centre of body i and 2i + 1 of its spin.
 struct Layout {
   std::size_t bodies = 0;                                      ///< for which it was laid out; 0: for none,
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  ///< and for these of them, both ways, rising
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  ///< and for these of them, both ways, rising,
+  std::size_t most_updates = 0;  ///< in no more of them than this: with fewer it may be too dense
   Factor factor;
   std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
   std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body

@@ -235,14 +235,15 @@ bool lay_out_factor(Layout& layout, std::vector<Pair>&& pairs, std::size_t bodie
   }
   layout.pairs = std::move(pairs);
   layout.bodies = bodies;
+  layout.most_updates = most_updates;
   return true;
 }
 
 bool lay_out_matrix(const ContactIsland& island, bool touching, std::size_t most_updates, Layout& layout) {
   std::vector<Pair> pairs = pairs_of(island, touching);
-  if ((layout.bodies != island.bodies.size() || layout.pairs != pairs) &&
-      !lay_out_factor(layout, std::move(pairs), island.bodies.size(), most_updates))
-    return false;
+  const bool serves =
+      layout.bodies == island.bodies.size() && layout.pairs == pairs && layout.most_updates <= most_updates;
+  if (!serves && !lay_out_factor(layout, std::move(pairs), island.bodies.size(), most_updates)) return false;
   layout.contact_blocks.clear();
   if (touching)
     for (const IslandContact& c : island.contacts) layout.contact_blocks.push_back(blocks_of(layout, c));
