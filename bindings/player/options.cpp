@@ -118,6 +118,15 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
               "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
               "particles, .glb animation with meshes",
               "FILE", check_ending);
+  app.add_option("--every", scene.table.every, "Simulated time from row to row of .csv, s; else each step has a row")
+      ->check(check_number)
+      ->type_name("T");
+  app.add_option(
+         "--reduce", scene.table.reductions,
+         "With --every: more columns of each probe, over the steps since the row before: least,largest,mean,rms")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(reduction_names), std::end(reduction_names))))
+      ->type_name("NAME,...");
   app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
       ->type_name("FILE");
   add_look(app, texts);
@@ -355,6 +364,8 @@ Options read_options(int argc, const char* const* argv) {
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
   options.command = command_of(app);
   if (*run) settle_state(options.run);
+  if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0)
+    throw UsageError("--reduce needs --every, the time from row to row");
   options.sweep.until = options.run.until;
   options.sweep.script_limit = options.run.script_limit;
   options.sweep.memory_limit = options.run.memory_limit;

@@ -10,6 +10,7 @@
 #include "player/plot_table.hpp"
 #include "player/soak.hpp"
 #include "player/sweep/sweep.hpp"
+#include "player/table.hpp"
 #include "scene/options.hpp"
 #include "view/views.hpp"
 
@@ -29,6 +30,7 @@ struct RunOptions {
   std::map<std::string, std::string> set;
   std::optional<double> until;  ///< [s] >= 0
   std::vector<std::string> outputs;
+  TableRows table;                ///< of the .csv among them
   std::string summary;            ///< empty: none
   std::string from;               ///< file of a state that `run` and `play` go on from; empty: none
   std::optional<double> save_at;  ///< [s] when `run` saves the state

@@ -9,7 +9,7 @@
 
 namespace pantin::player {
 
-Outputs::Outputs(const RunOptions& options) {
+Outputs::Outputs(const RunOptions& options) : rows_(options.table) {
   std::set<std::string> seen;
   auto add = [&](std::vector<Output>& list, const std::string& path) {
     if (!seen.insert(std::filesystem::absolute(path).lexically_normal()).second)
@@ -37,7 +37,7 @@ std::vector<std::string> Outputs::films() const {
 
 void Outputs::write_tables(const Times& times, const World& world) {
   for (Output& file : files_)
-    if (file.path().ends_with(".csv")) complete(file, [&] { file.write(probe_table(times, world.probes)); });
+    if (file.path().ends_with(".csv")) complete(file, [&] { file.write(probe_table(times, world.probes, rows_)); });
 }
 
 void Outputs::write_summary(const Scene& scene, const std::string& failure) {

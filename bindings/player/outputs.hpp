@@ -50,6 +50,7 @@ class Outputs {
   void drop(Output& file, const std::string& why);
   Output& of(const std::string& temporary);
 
+  TableRows rows_;
   std::string failure_;  ///< the first
   std::vector<Output> files_;
   std::vector<Output> summary_;  ///< one or none

@@ -15,8 +15,15 @@ struct Times {
   void add(const World& world);
 };
 
-/// Comma-separated: `time` and the probes, a row per step. Numbers read back as the same doubles; a probe that was
+/// How many rows a table has, and what they tell of the steps between.
+struct TableRows {
+  double every = 0.0;                        ///< [s] simulated from row to row, the last step's too; 0: each step
+  std::vector<std::string> reductions = {};  ///< of `reduction_names`: more columns, of the steps since the row before
+};
+inline constexpr const char* reduction_names[] = {"least", "largest", "mean", "rms"};
+
+/// Comma-separated: `time` and the probes, a row per step unless `rows` says less. Numbers read back as the same doubles; a probe that was
 /// added later has empty cells before.
-std::string probe_table(const Times& times, const std::vector<Probe>& probes);
+std::string probe_table(const Times& times, const std::vector<Probe>& probes, const TableRows& rows = {});
 
 }  // namespace pantin::player

@@ -37,6 +37,22 @@ TEST_CASE("table: names with commas and quotes are quoted") {
   CHECK(probe_table(times, {odd}) == "time,\"x, \"\"the\"\" place\"\n");
 }
 
+TEST_CASE("table: a row for each so many seconds and for the last step, with what was between") {
+  Times times;
+  Probe wave;
+  wave.name = "x";
+  for (int step = 1; step <= 10; step++) {
+    times.values.push_back(0.1 * step);
+    wave.values.push_back(step);
+  }
+  CHECK(probe_table(times, {wave}, {.every = 0.4}) == "time,x\n0.4,4\n0.8,8\n1,10\n");
+  CHECK(probe_table(times, {wave}, {.every = 0.5, .reductions = {"least", "largest", "mean", "rms"}}) ==
+        "time,x,x least,x largest,x mean,x rms\n0.5,5,1,5,3,3.3166247903554\n1,10,6,10,8,8.12403840463596\n");
+  CHECK(probe_table(times, {wave}, {.every = 1e-9}) == probe_table(times, {wave}));
+  wave.first_step = 5;
+  CHECK(probe_table({0, {0.1, 0.2}}, {wave}, {.every = 0.2, .reductions = {"mean"}}) == "time,x,x mean\n0.2,,\n");
+}
+
 TEST_CASE("table: without probes, the times") { CHECK(probe_table(Times{0, {0.5}}, {}) == "time\n0.5\n"); }
 
 TEST_CASE("table: rows are dropped where the world went back, and are there again where it went forward") {
