@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iostream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "scene/files.hpp"
 
 namespace pantin {
 namespace {
@@ -21,12 +22,11 @@ bool is_font(std::string_view content) {
 
 /// ImGui ends the program over a file that it cannot read.
 bool add_font(const char* path, float size, const ImWchar* ranges) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (!is_font(content)) return false;
-  void* const kept = ImGui::MemAlloc(content.size());
-  std::memcpy(kept, content.data(), content.size());
-  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(kept, static_cast<int>(content.size()), size, nullptr, ranges);
+  const std::optional<std::string> content = file_content(path);
+  if (!content || !is_font(*content)) return false;
+  void* const kept = ImGui::MemAlloc(content->size());
+  std::memcpy(kept, content->data(), content->size());
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(kept, static_cast<int>(content->size()), size, nullptr, ranges);
 }
 
 ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, color.z, opacity}; }
