@@ -10,14 +10,18 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+void die(int number) {
+  Unfinished::remove_all();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
 void note(int number) {
   if (interrupted == 0) {
     interrupted = 1;
     return interrupt_scripts();
   }
-  Unfinished::remove_all();
-  std::signal(number, SIG_DFL);
-  std::raise(number);
+  die(number);
 }
 
 }  // namespace
@@ -30,11 +34,13 @@ Interrupt::Interrupt() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGABRT, die);
 }
 
 Interrupt::~Interrupt() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGABRT, SIG_DFL);
   interrupted = 0;
   allow_scripts();
 }

@@ -11,6 +11,7 @@
 
 #include "player/saved_state.hpp"
 #include "scene/errors.hpp"
+#include "view/film.hpp"
 
 namespace pantin::player {
 namespace {
@@ -132,6 +133,12 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
   add_look(app, texts);
 }
 
+/// Of what may be a stranger's.
+void add_untrusted(CLI::App& app, RunOptions& scene) {
+  app.add_flag("--untrusted", scene.untrusted,
+               "For a stranger's scene: it reaches no file but those of its folder, no network and no other program");
+}
+
 /// Of `run`, which may go on from what an earlier one left.
 void add_state(CLI::App& app, RunOptions& scene) {
   app.add_option("--from", scene.from, "Goes on from a saved state, to the same bits; the scene is in it")
@@ -222,6 +229,13 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
   command->add_option("--out", plot.out, "The picture")->required()->check(check_svg)->type_name("FILE.svg");
 }
 
+/// A film is written by another program.
+void check_untrusted(const RunOptions& run) {
+  for (const std::string& path : run.outputs)
+    if (run.untrusted && Film::can_write(path))
+      throw UsageError(text("--untrusted starts no other program, and ", path, " needs ffmpeg: .glb and .png do not"));
+}
+
 /// What belongs together of that.
 void settle_state(RunOptions& run) {
   if (run.from.empty() && run.scene.ends_with(state_ending)) run.from = std::exchange(run.scene, "");
@@ -308,10 +322,12 @@ Options read_options(int argc, const char* const* argv) {
   play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
       ->type_name("FILE");
   add_scene_options(*play, options.run, texts);
+  add_untrusted(*play, options.run);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one");
   add_state(*run, options.run);
   add_scene_options(*run, options.run, texts);
+  add_untrusted(*run, options.run);
   CLI::App* replay = app.add_subcommand("replay",
                                         "Does again what was recorded, to the bit, and checks that: in a window where "
                                         "there is a display, where one may go "
@@ -332,6 +348,7 @@ Options read_options(int argc, const char* const* argv) {
   add_limits(*report, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
+  add_untrusted(*test, options.run);
   add_fuzz(*test, options.fuzz);
   add_soak(*test, options.soak);
   add_sweep(app, options.sweep, options.run, texts);
@@ -369,6 +386,7 @@ Options read_options(int argc, const char* const* argv) {
   options.sweep.until = options.run.until;
   options.sweep.script_limit = options.run.script_limit;
   options.sweep.memory_limit = options.run.memory_limit;
+  check_untrusted(options.run);
   return options;
 }
 

@@ -43,6 +43,7 @@ struct RunOptions {
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
   int threads = 0;                                  ///< 0: as many as the machine has processors
+  bool untrusted = false;                           ///< the process is confined before it reads the script
 };
 
 struct Options {

@@ -59,7 +59,12 @@ Output::Output(std::string path) : path_(std::move(path)) {
   }
   if (file < 0) refuse(path_, std::strerror(errno));
   close(file);
-  unfinished_ = Unfinished(temporary_);
+  try {
+    unfinished_ = Unfinished(temporary_);
+  } catch (...) {
+    unlink(temporary_.c_str());
+    throw;
+  }
 }
 
 Output::Output(Output&& other) noexcept

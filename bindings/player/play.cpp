@@ -36,8 +36,8 @@ int play_in_window(const RunOptions& options, const std::string& home) {
 int play_unseen(RunOptions options, const std::string& home, const std::string& why) {
   std::string name = scene_name(find_scene(options.scene, home));
   options.outputs.push_back(name + ".png");
-  options.outputs.push_back(name + ".mp4");
-  say(text(why, ": running the scene to ", name, ".png and ", name, ".mp4 instead"));
+  options.outputs.push_back(name + (options.untrusted ? ".glb" : ".mp4"));
+  say(text(why, ": running the scene to ", name, ".png and ", options.outputs.back(), " instead"));
   return run(options, home);
 }
 

@@ -6,6 +6,7 @@
 
 #include "choreography/hands.hpp"
 #include "lua/scene/open.hpp"
+#include "player/confine.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -39,15 +40,26 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       paused_(options.paused),
       views_(options.views) {
   renderer_.open(scene_->world());
+  if (options_.untrusted) confine_window(home);
   if (path_.empty()) {
     browser_.show();
     return;
   }
-  lasting_ = SavedFile(path_as_recorded(path_, home));
+  lasting_ = lasting_of(path_);
   scene_options_.saved = lasting_.values();
   adopt(load(path_, scene_options_));
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
   if (!options_.record.empty()) begin_recording();
+}
+
+void Player::confine_window(const std::string& home) {
+  Reach reach = reach_of(options_, path_.empty() ? options_.scenes + "/" : path_, home);
+  add_drawing(reach);
+  confine(reach);
+}
+
+SavedFile Player::lasting_of(const std::string& path) const {
+  return options_.untrusted ? SavedFile() : SavedFile(path_as_recorded(path, scene_options_.home));
 }
 
 std::string Player::title() const {

@@ -105,6 +105,9 @@ class Player {
   void leave_browser();
   void restart();
   void begin_recording();
+  /// Of a stranger's scene nothing is kept.
+  SavedFile lasting_of(const std::string& path) const;
+  void confine_window(const std::string& home);
   void record(const std::string& path);
   void stop_recording(const std::string& why);
   void reload();

@@ -112,7 +112,7 @@ bool Player::open(const std::string& path) {
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<Scene> fresh;
-  SavedFile lasting(path_as_recorded(path, scene_options_.home));
+  SavedFile lasting = lasting_of(path);
   options.saved = lasting.values();
   try {
     fresh = load(path, options);

@@ -36,7 +36,7 @@ int do_command(const Options& options) {
     case Options::Command::run: return run(options.run, find_home());
     case Options::Command::replay: return replay(options.run, options.run.record, find_home());
     case Options::Command::report: return report(options.run, options.prefix, find_home());
-    case Options::Command::test: return test(options.arguments, find_home());
+    case Options::Command::test: return test(options.arguments, options.run.untrusted, find_home());
     case Options::Command::fuzz: return fuzz(options.fuzz, find_home());
     case Options::Command::soak: return soak(options.soak, find_home());
     case Options::Command::sweep: return sweep(options.sweep, find_home());

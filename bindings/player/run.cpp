@@ -8,6 +8,7 @@
 #include "lua/scene/open.hpp"
 #include "player/animation.hpp"
 #include "player/closing.hpp"
+#include "player/confine.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
@@ -82,6 +83,12 @@ class Frames {
   std::vector<Trajectory> trajectories_;
 };
 
+std::unique_ptr<Frames> begin_frames(const Scene& scene, const RunOptions& options, const Outputs& outputs) {
+  try {
+    return std::make_unique<Frames>(scene, options, outputs);
+  } catch (const Error& error) { throw Error(outputs.in_own_names(error.what())); }
+}
+
 /// Saves the state once its time has come.
 class SavesAt {
  public:
@@ -123,16 +130,17 @@ int run(const RunOptions& options, const std::string& home) {
   Interrupt interrupt;
   Outputs outputs(options);
   auto start = std::chrono::steady_clock::now();
+  if (options.untrusted) confine(reach_of(options, path, home));
   std::unique_ptr<Scene> scene = open(options, path, home);
   World& world = scene->world();
-  Frames frames(*scene, options, outputs);
+  const std::unique_ptr<Frames> frames = begin_frames(*scene, options, outputs);
   Times times;
   SavesAt saves(options.save_at, *scene, outputs);
   std::string failure;
   try {
     run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), options.memory_limit, [&] {
       times.add(world);
-      frames.add();
+      frames->add();
       saves.look();
     });
     if (!Interrupt::asked()) saves.check();
@@ -145,7 +153,7 @@ int run(const RunOptions& options, const std::string& home) {
   if (saves.waits()) outputs.drop_state();
   if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
-  frames.finish(outputs);
+  frames->finish(outputs);
   outputs.write_summary(*scene, failure);
   outputs.keep();
   if (!failure.empty()) return 1;

@@ -4,16 +4,24 @@
 #include <filesystem>
 
 #include "lua/test/tests.hpp"
+#include "player/confine.hpp"
 #include "scene/errors.hpp"
 
 namespace pantin::player {
 
-int test(const std::vector<std::string>& given, const std::string& home) {
+int test(const std::vector<std::string>& given, bool untrusted, const std::string& home) {
   std::vector<std::string> paths = given;
   if (paths.empty()) {
     std::string usual = std::filesystem::path(home) / "tests" / "scenes";
     if (!std::filesystem::is_directory(usual)) throw UsageError("give the files or folders to test");
     paths.push_back(usual);
+  }
+  if (untrusted) {
+    Reach reach = reach_of({}, "", home);
+    for (const std::string& path : paths)
+      reach.read.push_back(
+          std::filesystem::is_directory(path) ? path : std::filesystem::absolute(path).parent_path().string());
+    confine(reach);
   }
   SceneOptions options;
   options.home = home;

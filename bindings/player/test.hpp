@@ -4,7 +4,7 @@
 
 namespace pantin::player {
 
-/// `pantin test`: the tests in Lua under the paths. Returns the exit code.
-int test(const std::vector<std::string>& paths, const std::string& home);
+/// `pantin test`: the tests in Lua under the paths, which may be a stranger's. Returns the exit code.
+int test(const std::vector<std::string>& paths, bool untrusted, const std::string& home);
 
 }  // namespace pantin::player

@@ -1,10 +1,13 @@
 #include "view/panel_style.hpp"
 
-#include <array>
 #include <cmath>
-#include <fstream>
+#include <cstring>
 #include <iostream>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "scene/files.hpp"
 
 namespace pantin {
 namespace {
@@ -12,11 +15,18 @@ namespace {
 constexpr float letter_height = 14.0f;  // [px]
 
 /// By how it begins: of anything else, Dear ImGui would end the program.
-bool is_font(const char* path) {
-  std::array<char, 4> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  const std::string_view sign(start.data(), start.size());
+bool is_font(std::string_view content) {
+  const std::string_view sign = content.substr(0, 4);
   return sign == std::string_view("\0\1\0\0", 4) || sign == "true" || sign == "OTTO" || sign == "ttcf";
+}
+
+/// ImGui ends the program over a file that it cannot read.
+bool add_font(const char* path, float size, const ImWchar* ranges) {
+  const std::optional<std::string> content = file_content(path);
+  if (!content || !is_font(*content)) return false;
+  void* const kept = ImGui::MemAlloc(content->size());
+  std::memcpy(kept, content->data(), content->size());
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(kept, static_cast<int>(content->size()), size, nullptr, ranges);
 }
 
 ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, color.z, opacity}; }
@@ -33,7 +43,7 @@ void load_panel_font(float scale, std::span<const char* const> paths) {
   for (const char* path : paths) {
     io.Fonts->Clear();
     io.FontGlobalScale = letter_height / size;
-    if (is_font(path) && io.Fonts->AddFontFromFileTTF(path, size, nullptr, ranges) && io.Fonts->Build()) return;
+    if (add_font(path, size, ranges) && io.Fonts->Build()) return;
   }
   std::cerr
       << "pantin: the window's font is not here, and a plain one without signs is used: install fonts-dejavu-core\n";

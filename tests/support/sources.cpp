@@ -12,6 +12,11 @@ std::string folder() { return PANTIN_SOURCE_DIR; }
 
 std::string program() { return PANTIN_PROGRAM; }
 
+std::string preload(const std::string& name) {
+  const std::string folder = PANTIN_PRELOADS;
+  return folder.empty() ? "" : folder + "/libpantin_" + name + ".so";
+}
+
 Files read(std::initializer_list<const char*> folders) {
   const fs::path root = folder();
   Files files;

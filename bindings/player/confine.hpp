@@ -1,0 +1,26 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "player/options.hpp"
+
+namespace pantin::player {
+
+/// What is left to a process that runs a scene of a stranger.
+struct Reach {
+  std::vector<std::string> read;   ///< files, and folders with all in them; one that is not there is left out
+  std::vector<std::string> write;  ///< files to write to, and folders to make, replace and remove files in
+  std::size_t memory = 0;          ///< [bytes] that it may take beyond what it has
+};
+
+/// What a scene needs: its folder, the program's own files, the folders of what it is to write.
+Reach reach_of(const RunOptions& options, const std::string& scene, const std::string& home);
+/// What drivers need to draw: the system's libraries, and the graphics card.
+void add_drawing(Reach& reach);
+
+/// From here on this thread and all that it starts reach no other file, no socket, no other program or process, and write
+/// no file above 4 GiB. Where the kernel cannot hold one of them back, a line on standard error says so.
+void confine(const Reach& reach);
+
+}  // namespace pantin::player

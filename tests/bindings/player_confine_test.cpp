@@ -1,0 +1,70 @@
+// `--untrusted`, attacked from within the process; see tests/preload/attacks.cpp.
+#include "player/confine.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "bindings/program_support.hpp"
+
+using namespace pantin;
+using Catch::Contains;
+
+TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but its folder and its outputs") {
+  if (sources::preload("attacks").empty()) return;
+  const std::string command = GENERATE("run", "test");
+  support::Folder folder;
+  std::filesystem::create_directory(folder.path / "out");
+  std::filesystem::create_symlink("/etc/passwd", folder.path / "link");
+  support::write_file(folder / "attacked.lua", command == "run" ? support::swing : "test('nothing', function() end)");
+  std::vector<std::string> arguments = {command, "--untrusted", "attacked.lua"};
+  if (command == "run") arguments.insert(arguments.end(), {"--until", "0.1", "--out", "out/table.csv"});
+  support::Process::Options options = support::options(arguments, folder.path);
+  options.environment.push_back("LD_PRELOAD=" + sources::preload("attacks"));
+  const support::Finished done = support::finish(options);
+  INFO(done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("ALLOWED reads the scene's folder"));
+  CHECK_THAT(done.err, Contains("ALLOWED starts a thread"));
+  CHECK((done.err.find("ALLOWED writes beside the outputs") != std::string::npos) == (command == "run"));
+  CHECK(support::lines(done.err) >= 23);
+  std::string allowed;
+  for (std::size_t at = 0; (at = done.err.find("ALLOWED ", at)) != std::string::npos; at++)
+    allowed += done.err.substr(at + 8, done.err.find('\n', at) - at - 8) + "; ";
+  CHECK(allowed == (command == "run" ? "reads the scene's folder; writes beside the outputs; starts a thread; "
+                                     : "reads the scene's folder; starts a thread; "));
+}
+
+TEST_CASE("confine: an untrusted scene runs as any other") {
+  const std::string ending = GENERATE(".csv", ".xyz", ".glb", ".png");
+  support::Folder folder;
+  std::filesystem::create_directories(folder.path / "a");
+  std::filesystem::create_directories(folder.path / "b");
+  support::write_file(folder / "a/helper.lua", "return { height = 2 }");
+  support::write_file(folder / "a/scene.lua",
+                      "local h = require('helper')\nscene:particle { at = vec(0, h.height, 0) }");
+  const auto run = [&](std::vector<std::string> more, const std::string& out) {
+    std::vector<std::string> arguments = {"run", "a/scene.lua", "--until", "0.1", "--size", "64x64", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return support::use(folder, arguments);
+  };
+  const support::Finished free = run({}, "free" + ending), held = run({"--untrusted"}, "b/held" + ending);
+  CHECK(free.code == held.code);
+  CHECK(held.err == free.err);
+  if (free.code == 0)
+    CHECK(support::read_file(folder / ("free" + ending)) == support::read_file(folder / ("b/held" + ending)));
+}
+
+TEST_CASE("confine: a film is refused, since another program writes it") {
+  const support::Finished done = support::use({}, {"run", "chain", "--untrusted", "--out", "film.mp4"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("--untrusted starts no other program, and film.mp4 needs ffmpeg"));
+}
+
+TEST_CASE("confine: memory of a stranger's scene ends at the limit") {
+  support::Folder folder;
+  support::write_file(folder / "scene.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = { i } end");
+  const support::Finished done =
+      support::use(folder, {"run", "--untrusted", "scene.lua", "--memory-limit", "64MiB", "--script-limit", "60"});
+  CHECK(done.code == 1);
+  CHECK_THAT(done.err, Contains("memory"));
+}
