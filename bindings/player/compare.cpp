@@ -26,13 +26,13 @@ Worth worth(const Study& study, const std::vector<double>& list) {
   result.together = result.comparable = last_within(study, list, apart * study.size);
   constexpr double sure = 5e-4;                                                            // of the size
   constexpr std::pair<double, double> limits[] = {{1e-5, 0.5}, {1e-4, 0.2}, {sure, 0.0}};  // of the size, of that time
-  if (!(largest(study, list, study.until) <= sure * study.size))
+  if (!(largest_until(study, list, study.until) <= sure * study.size))
     for (const auto& [limit, part] : limits) {
       result.comparable = last_within(study, list, limit * study.size);
       if (result.comparable >= part * result.together) break;
     }
   if (result.comparable == 0.0) result.comparable = result.together;
-  result.doubt = largest(study, list, result.comparable);
+  result.doubt = largest_until(study, list, result.comparable);
   return result;
 }
 
@@ -81,8 +81,8 @@ void compare_run(Study& study, std::size_t i, const std::vector<double>& doubt) 
   for (std::size_t k = 0; k < list.size(); k++) list[k] += doubt[k];
   run.true_until = last_within(study, list, apart * study.size);
   if (i == study.reference || list.empty() || study.times[list.size() - 1] < study.comparable * (1 - 1e-9)) return;
-  run.error = largest(study, rising_gaps(run, study.finest(), &Gap::mean), study.comparable);
-  run.farthest = largest(study, rising_gaps(run, study.finest(), &Gap::most), study.comparable);
+  run.error = largest_until(study, rising_gaps(run, study.finest(), &Gap::mean), study.comparable);
+  run.farthest = largest_until(study, rising_gaps(run, study.finest(), &Gap::most), study.comparable);
 }
 
 /// [s] when a run and the one with twice its step part.
@@ -124,8 +124,8 @@ double order(const Study& study, std::size_t i) {
   if (run.error > 10.0 * study.uncertain) return std::log2(before->error / run.error) / halvings;
   const StudyRun* const first = coarser(study, i - 1);
   if (!first) return nan;
-  const double changed = largest(study, gaps(run, *before, &Gap::mean), study.comparable);
-  const double changed_before = largest(study, gaps(*before, *first, &Gap::mean), study.comparable);
+  const double changed = largest_until(study, gaps(run, *before, &Gap::mean), study.comparable);
+  const double changed_before = largest_until(study, gaps(*before, *first, &Gap::mean), study.comparable);
   return changed > 1e-10 * study.size ? std::log2(changed_before / changed) / halvings : nan;
 }
 
@@ -146,10 +146,11 @@ void compare(Study& study) {
   study.loser = find_loser(study, finest);
   if (!reference) return;
   const std::vector<Doubted> worst = doubts(study, &Gap::most);
-  study.uncertain = largest(study, reference->doubt, study.comparable);
+  study.uncertain = largest_until(study, reference->doubt, study.comparable);
   StudyRun& run = study.runs[study.reference];
   run.error = study.uncertain;
-  run.farthest = largest(study, worst[static_cast<std::size_t>(reference - finest.data())].doubt, study.comparable);
+  run.farthest =
+      largest_until(study, worst[static_cast<std::size_t>(reference - finest.data())].doubt, study.comparable);
   for (std::size_t i = 0; i < study.runs.size(); i++) compare_run(study, i, reference->doubt);
   if (const StudyRun* const before = coarser(study, study.reference))
     study.growth = growth(study, gaps(run, *before, &Gap::mean));

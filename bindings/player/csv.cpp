@@ -1,6 +1,9 @@
 #include "player/csv.hpp"
 
 #include <charconv>
+#include <cstdio>
+
+#include "base/hash.hpp"
 
 namespace pantin::player {
 
@@ -34,6 +37,18 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   }
   end_row();
   return rows;
+}
+
+std::string hex_text(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
+}
+
+std::string hash_text(const std::string& text) {
+  Hash hash;
+  hash.add(text);
+  return hex_text(hash.value);
 }
 
 std::string number_text(double value) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,5 +11,9 @@ std::string csv_cell(const std::string& text);
 std::vector<std::vector<std::string>> read_csv(const std::string& text);
 /// The shortest text that reads back as the same double.
 std::string number_text(double value);
+
+/// 16 hexadecimal digits.
+std::string hex_text(std::uint64_t value);
+std::string hash_text(const std::string& text);
 
 }  // namespace pantin::player

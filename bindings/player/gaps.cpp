@@ -48,7 +48,7 @@ std::vector<double> rising_gaps(const StudyRun& a, const StudyRun& b, double Gap
   return list;
 }
 
-double largest(const Study& study, const std::vector<double>& list, double until) {
+double largest_until(const Study& study, const std::vector<double>& list, double until) {
   double result = 0.0;
   for (std::size_t k = 0; k < list.size() && study.times[k] <= until * (1 + 1e-9); k++)
     if (!(list[k] <= result)) result = list[k];

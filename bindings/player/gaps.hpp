@@ -19,7 +19,7 @@ std::vector<double> gaps(const StudyRun& a, const StudyRun& b, double Gap::*of);
 std::vector<double> rising_gaps(const StudyRun& a, const StudyRun& b, double Gap::*of);
 
 /// The largest of a list over the times until one, [s].
-double largest(const Study& study, const std::vector<double>& list, double until);
+double largest_until(const Study& study, const std::vector<double>& list, double until);
 
 /// [s] of the last time before one of the list exceeds `limit`.
 double last_within(const Study& study, const std::vector<double>& list, double limit);

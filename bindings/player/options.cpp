@@ -245,6 +245,23 @@ void settle_state(RunOptions& run) {
     run.save_to = std::filesystem::path(run.from.empty() ? run.scene : run.from).stem().string() + state_ending;
 }
 
+/// What texts say, and what belongs together.
+void settle(Options& options, const Texts& texts) {
+  for (const std::string& setting : texts.settings) {
+    auto equals = setting.find('=');
+    options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  if (!texts.size.empty()) options.run.size = read_size(texts.size);
+  if (!texts.views.empty()) options.run.views = read_views(texts.views);
+  if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
+  if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0)
+    throw UsageError("--reduce needs --every, the time from row to row");
+  options.sweep.until = options.run.until;
+  options.sweep.script_limit = options.run.script_limit;
+  options.sweep.memory_limit = options.run.memory_limit;
+  check_untrusted(options.run);
+}
+
 Options::Command command_of(const CLI::App& app) {
   using Command = Options::Command;
   constexpr std::pair<const char*, Command> commands[] = {
@@ -372,21 +389,9 @@ Options read_options(int argc, const char* const* argv) {
     throw UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
   }
   if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
-  for (const std::string& setting : texts.settings) {
-    auto equals = setting.find('=');
-    options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
-  }
-  if (!texts.size.empty()) options.run.size = read_size(texts.size);
-  if (!texts.views.empty()) options.run.views = read_views(texts.views);
-  if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
+  settle(options, texts);
   options.command = command_of(app);
   if (*run) settle_state(options.run);
-  if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0)
-    throw UsageError("--reduce needs --every, the time from row to row");
-  options.sweep.until = options.run.until;
-  options.sweep.script_limit = options.run.script_limit;
-  options.sweep.memory_limit = options.run.memory_limit;
-  check_untrusted(options.run);
   return options;
 }
 

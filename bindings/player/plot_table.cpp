@@ -28,25 +28,36 @@ class NamedTable {
     if (rows_.size() < 2) throw UsageError(text(path, " has no rows"));
     names_ = rows_.front();
     rows_.erase(rows_.begin());
+    if (names_[0].starts_with("\xef\xbb\xbf")) names_[0].erase(0, 3);  // as some programs begin a text
     for (std::size_t i = 0; i < rows_.size(); i++)
       if (rows_[i].size() != names_.size())
         throw UsageError(
             text(path, ": row ", i + 2, " has ", rows_[i].size(), " cells, the first row ", names_.size()));
+    const auto error = std::ranges::find(names_, "error");
+    if (error == names_.end()) return;
+    const std::size_t before = rows_.size();
+    std::erase_if(rows_,
+                  [&](const auto& row) { return !row[static_cast<std::size_t>(error - names_.begin())].empty(); });
+    failed_ = before - rows_.size();
   }
 
   std::size_t column(const std::string& name) const {
     const auto found = std::ranges::find(names_, name);
+    if (std::ranges::count(names_, name) > 1) throw UsageError(text(path_, " has more than one column '", name, "'"));
     if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
     std::string all;
     for (const std::string& other : names_) all += (all.empty() ? "" : ", ") + other;
     throw UsageError(text(path_, " has no column '", name, "'. It has ", all));
   }
+  /// But for those that tell an error.
   const std::vector<std::vector<std::string>>& rows() const { return rows_; }
+  std::size_t failed() const { return failed_; }
 
  private:
   std::string path_;
   std::vector<std::string> names_;
   std::vector<std::vector<std::string>> rows_;
+  std::size_t failed_ = 0;
 };
 
 std::optional<double> number_in(const std::string& cell, bool logarithmic) {

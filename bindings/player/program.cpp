@@ -1,5 +1,8 @@
 #include "player/program.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -49,9 +52,16 @@ int do_command(const Options& options) {
   return 2;
 }
 
+/// Where standard input or an output was closed, so that no file or pipe takes its number: it still cannot be used.
+void keep_standard_numbers() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(number, F_GETFD) < 0) (void)!::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  keep_standard_numbers();
   // A full pipe, disk or quota is a failed write, which is told as such.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

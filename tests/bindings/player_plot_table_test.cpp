@@ -70,10 +70,19 @@ TEST_CASE("plot_table: what cannot be drawn is told, and leaves no file") {
   refused({.x = "size", .y = "name"}, "no row has numbers");
   refused({.x = "size", .y = "cost", .by = "name", .color = "rate"}, "one of them");
   refused({.x = "size", .y = "cost", .log = {"rate"}}, "no axis");
+  write_file(folder / "t.csv", "a,b,a\n1,2,3\n");
+  refused({.x = "a", .y = "b"}, "more than one column 'a'");
   write_file(folder / "t.csv", "a,b\n1\n");
   refused({.x = "a", .y = "b"}, "row 2 has 1 cells");
   write_file(folder / "t.csv", "a,b\n");
   refused({.x = "a", .y = "b"}, "has no rows");
+}
+
+TEST_CASE("plot_table: rows that tell an error are left out") {
+  Folder folder;
+  write_file(folder / "t.csv", "a,b,error\n1,2,\n2,3,\n3,9,too long\n");
+  CHECK(player::plot_table({.table = folder / "t.csv", .x = "a", .y = "b", .out = folder / "t.svg"}) == 0);
+  CHECK(count(read_file(folder / "t.svg"), "<circle") == 2);
 }
 
 TEST_CASE("plot_table: a table is read as it was written, with quotes and line breaks in cells") {

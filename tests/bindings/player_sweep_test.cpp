@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <map>
 #include <sstream>
 
 #include "bindings/program_support.hpp"
@@ -148,7 +149,7 @@ TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table")
 TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or changed by hand, is refused") {
   Folder folder;
   const std::string path = folder / "t.csv.journal";
-  const player::CaseRow row = {7, {{"a", "1"}}, {{"error", "x"}}};
+  const player::CaseRow row = {7, {{"a", "1"}}, {{"error", "x"}}, {}};
   { player::Journal(path, "one").add(row); }
   const std::string content = read_file(path);
   write_file(path, content + "0123");
@@ -182,4 +183,78 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
   if (run.err.find("built without MPI") != std::string::npos) return;
   CHECK(run.code == 0);
   CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
+}
+
+TEST_CASE("sweep: a case that does not come back, or takes all memory, is stopped in its process, too") {
+  Folder folder;
+  write_file(folder / "bad.lua", R"(
+    local kind = scene:param("kind", "fine")
+    if kind == "load" then while true do end end
+    scene:on("step", function()
+      if kind == "step" then while true do end end
+      if kind == "memory" then while true do scene:particle {} end end
+    end)
+    scene:probe("one", function() return 1 end)
+  )");
+  const Finished run = use(folder, {"sweep", "bad.lua", "--set", "kind=fine,load,step,memory", "--until", "0.01",
+                                    "--out", "t.csv", "--script-limit", "0.5", "--memory-limit", "64MiB"});
+  CHECK(run.out == "4 cases, 3 of them failed: t.csv\n");
+  const auto rows = rows_of(read_file(folder / "t.csv"));
+  CHECK_THAT(rows.at(2), Contains("did not come back within 0.5 s"));
+  CHECK_THAT(rows.at(3), Contains("did not come back within 0.5 s"));
+  CHECK_THAT(rows.at(4), Contains("memory") || Contains("did not come back"));
+}
+
+TEST_CASE("sweep: a file that is changed while it runs or is stopped, though few cases read it, stops it") {
+  Folder folder;
+  write_file(folder / "mod.lua", "return 3");
+  write_file(folder / "lazy.lua", R"(
+    local v = scene:param("v", 1.0)
+    scene:result("factor", v > 1.5 and require("mod") or 0)
+    if v == 2 then error("wait") end
+  )");
+  const std::string path = folder / "t.csv.journal";
+  const std::vector<std::string> arguments = {"sweep",   "lazy.lua", "--set", "v=1:2:40",
+                                              "--until", "0.01",     "--out", "t.csv"};
+  Process process(options(arguments, folder.path));
+  while (!process.wait(0.002) && read_file(path).find("mod.lua") == std::string::npos) {}
+  process.signal(SIGKILL);
+  process.wait(10.0);
+  if (!std::filesystem::exists(path)) return;  // it was done before it could be stopped
+  write_file(folder / "mod.lua", "return 4");
+  const Finished run = use(folder, arguments);
+  CHECK(run.code != 0);
+  CHECK_THAT(run.err, Contains("mod.lua was changed"));
+}
+
+TEST_CASE("sweep: where all cases fail the exit code tells, and the first error") {
+  Folder folder;
+  const Finished run = sweep_pendulum(folder, {"--set", "length=4.6,5"});
+  CHECK(run.code == 1);
+  CHECK_THAT(run.err, Contains("all failed") && Contains("too long"));
+  CHECK(rows_of(read_file(folder / "t.csv")).size() == 3);
+}
+
+TEST_CASE("sweep: fractions are numbers in the table, and whole numbers are drawn evenly") {
+  CHECK(values_of(player::read_axis("a=1/4:1/2:2")) == std::vector<std::string>{"0.25", "0.5"});
+  CHECK(values_of(player::read_axis("a=-1e308:1e308:3")) == std::vector<std::string>{"-1e+308", "0", "1e+308"});
+  player::Axis whole = player::read_axis("n=1:3");
+  whole.whole = true;
+  std::map<std::string, int> drawn;
+  for (std::uint64_t i = 0; i < 300; i++) drawn[player::Cases({whole}, 300).settings(i)[0].second]++;
+  CHECK(drawn == std::map<std::string, int>{{"1", 100}, {"2", 100}, {"3", 100}});
+  Folder folder;
+  REQUIRE(sweep_pendulum(folder, {"--set", "scene.step=1/60,1/240"}).code == 0);
+  CHECK_THAT(rows_of(read_file(folder / "t.csv")).at(2), Contains("1,0.004166666666666667,"));
+}
+
+TEST_CASE("sweep: names that are those of columns are told apart") {
+  Folder folder;
+  write_file(folder / "names.lua", R"(
+    local v = scene:param("case", 1.0)
+    scene:result("case", v)
+    scene:result("cost", 7)
+  )");
+  REQUIRE(use(folder, {"sweep", "names.lua", "--set", "case=1,2", "--until", "0.01", "--out", "t.csv"}).code == 0);
+  CHECK_THAT(read_file(folder / "t.csv"), Contains("case,case set,case told,cost told,time,"));
 }

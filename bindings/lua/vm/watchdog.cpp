@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -78,8 +79,11 @@ void send(Watch& watch) {
 class Watchdog {
  public:
   static Watchdog& instance() {
-    static Watchdog watchdog;
-    return watchdog;
+    static const int told = pthread_atfork(nullptr, nullptr, [] { current = nullptr; });  // its thread stays behind
+    if (Watchdog* watchdog = told == 0 ? current.load() : nullptr) return *watchdog;
+    auto made = std::unique_ptr<Watchdog>(new Watchdog);
+    Watchdog* other = nullptr;
+    return current.compare_exchange_strong(other, made.get()) ? *made.release() : *other;
   }
   void add(Watch* watch) {
     const std::lock_guard lock(mutex_);
@@ -114,6 +118,7 @@ class Watchdog {
     }
   }
 
+  static inline std::atomic<Watchdog*> current{nullptr};  ///< stays until the process ends
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::vector<Watch*> watches_;

@@ -13,7 +13,7 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::uint64_t most_cases = 10'000'000;
+constexpr std::uint64_t most_cases = 1'000'000;
 constexpr std::uint64_t seed_of_samples = 1;
 
 std::vector<std::string> split(const std::string& text, char by) {
@@ -40,7 +40,7 @@ std::optional<Number> number_of(const std::string& text) {
 }
 
 void read_range(Axis& axis, const std::vector<std::string>& parts, const std::string& setting) {
-  const auto from = number_of<double>(parts[0]), to = number_of<double>(parts[1]);
+  const auto from = number_or_fraction(parts[0]), to = number_or_fraction(parts[1]);
   if (!from || !to || !std::isfinite(*from) || !std::isfinite(*to)) refuse_values(setting, "a range needs two numbers");
   axis.from = *from;
   axis.to = *to;
@@ -57,17 +57,31 @@ void read_range(Axis& axis, const std::vector<std::string>& parts, const std::st
 
 }  // namespace
 
+std::optional<double> number_or_fraction(const std::string& text) {
+  const auto slash = text.find('/');
+  if (slash == std::string::npos) return number_of<double>(text);
+  const auto above = number_of<double>(text.substr(0, slash)), below = number_of<double>(text.substr(slash + 1));
+  if (!above || !below || *below == 0.0) return {};
+  return *above / *below;
+}
+
 std::string Axis::value_at(double part) const {
   if (!values.empty())
     return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
-  double x = logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
-  if (part == 1.0) x = to;
-  return number_text(whole ? std::round(x) : x);
+  if (!whole) return number_text(between(part));
+  const double least = std::ceil(std::min(from, to)), largest = std::floor(std::max(from, to));
+  return number_text(std::min(largest, std::floor(least + part * (largest - least + 1.0))));
 }
 
 std::string Axis::value(std::uint64_t index) const {
   if (!values.empty()) return values[index];
-  return value_at(count < 2 ? 0.0 : static_cast<double>(index) / static_cast<double>(count - 1));
+  const double x = between(count < 2 ? 0.0 : static_cast<double>(index) / static_cast<double>(count - 1));
+  return number_text(whole ? std::round(x) : x);
+}
+
+double Axis::between(double part) const {
+  if (part == 1.0) return to;
+  return logarithmic ? from * std::pow(to / from, part) : from * (1.0 - part) + to * part;
 }
 
 Axis read_axis(const std::string& setting) {

@@ -1,6 +1,7 @@
 #pragma once
 // Which cases a sweep has: values of parameters, combined or drawn.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +20,15 @@ struct Axis {
   std::uint64_t size() const { return values.empty() ? count : values.size(); }
   /// Of a grid.
   std::string value(std::uint64_t index) const;
-  /// At a part in [0, 1) of the way.
+  /// At a part in [0, 1) of the way, which a sample drew.
   std::string value_at(double part) const;
+
+ private:
+  double between(double part) const;
 };
+
+/// Reads "0.5" or "1/60".
+std::optional<double> number_or_fraction(const std::string& text);
 
 /// Reads "links=10:1000:20", "mass=1e-3:1e3:7:log", "ratio=1,1e3" or "ratio=5". Throws UsageError.
 Axis read_axis(const std::string& setting);

@@ -5,24 +5,15 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
-#include "base/hash.hpp"
+#include "player/csv.hpp"
 #include "player/json.hpp"
 #include "scene/errors.hpp"
 #include "scene/files.hpp"
 
 namespace pantin::player {
 namespace {
-
-std::string checksum(const std::string& content) {
-  Hash hash;
-  hash.add(content);
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash.value));
-  return digits;
-}
 
 Json json_of_cells(const Cells& cells) {
   Json list = Json::array();
@@ -39,15 +30,18 @@ Cells cells_of(const Json& list) {
 }  // namespace
 
 std::string line_of(const CaseRow& row) {
-  const Json json = {
-      {"case", row.number}, {"told", json_of_cells(row.told)}, {"measured", json_of_cells(row.measured)}};
+  const Json json = {{"case", row.number},
+                     {"told", json_of_cells(row.told)},
+                     {"measured", json_of_cells(row.measured)},
+                     {"files", json_of_cells(row.files)}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 CaseRow row_of(const std::string& line) {
   try {
     const Json json = Json::parse(line);
-    return {json.at("case").get<std::uint64_t>(), cells_of(json.at("told")), cells_of(json.at("measured"))};
+    return {json.at("case").get<std::uint64_t>(), cells_of(json.at("told")), cells_of(json.at("measured")),
+            cells_of(json.at("files"))};
   } catch (const Json::exception& error) { throw Error(text("that is no row of a sweep: ", error.what())); }
 }
 
@@ -76,7 +70,7 @@ void Journal::read(const std::string& sweep) {
       throw UsageError(
           text(path_, ":", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
     };
-    if (text_.size() < 17 || checksum(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
+    if (text_.size() < 17 || hash_text(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
     if (line == 1) {
       if (text_.substr(17) != sweep) refuse("what is begun here is another sweep, or its scene was changed since");
       continue;
@@ -90,7 +84,7 @@ void Journal::read(const std::string& sweep) {
 }
 
 void Journal::write_line(const std::string& content) {
-  const std::string line = checksum(content) + " " + content + "\n";
+  const std::string line = hash_text(content) + " " + content + "\n";
   const ssize_t written = write(file_, line.data(), line.size());
   require(written == static_cast<ssize_t>(line.size()), "cannot write ", path_, ": ",
           written < 0 ? std::strerror(errno) : "there is no space left");

@@ -52,8 +52,6 @@ void tell_scene(CaseRow& row, const Scene& scene) {
   for (const Probe& probe : world.probes) tell_probe(row.told, probe);
   const Stats& stats = world.stats;
   const std::uint64_t iterations = stats.newton_iterations + stats.contact_iterations;
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash(world)));
   row.measured = {{"time", number_text(world.time)},
                   {"steps", std::to_string(world.steps)},
                   {"hinge_gap", number_text(world.worst.hinge_gap)},
@@ -64,7 +62,7 @@ void tell_scene(CaseRow& row, const Scene& scene) {
                   {"halved_steps", std::to_string(stats.halved_steps)},
                   {"fallback_steps", std::to_string(stats.fallback_steps)},
                   {"cost", std::to_string(iterations + stats.factorisations + stats.evaluations)},
-                  {"hash", hash}};
+                  {"hash", hex_text(state_hash(world))}};
 }
 
 void add_names(std::vector<std::string>& names, const Cells& cells) {
@@ -79,6 +77,13 @@ const std::string& cell_of(const Cells& cells, const std::string& name) {
   return empty;
 }
 
+/// A fraction as the number that it is; another text as it is.
+std::string as_number(const std::string& value) {
+  if (value.find('/') == std::string::npos) return value;
+  const auto x = number_or_fraction(value);
+  return x ? number_text(*x) : value;
+}
+
 }  // namespace
 
 CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptions& options,
@@ -86,8 +91,10 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
   CaseRow row;
   row.number = number;
   const double start = processor_time();
+  SceneOptions noting = options;
+  noting.on_read = [&](const FileRead& file) { row.files.emplace_back(file.path, hash_text(file.content)); };
   try {
-    const auto scene = lua::open_scene(path, options);
+    const auto scene = lua::open_scene(path, noting);
     std::string failure;
     try {
       run_to_end(*scene, options, until);
@@ -102,19 +109,20 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
 std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, bool timed) {
   std::vector<std::string> told;
   for (const CaseRow& row : rows) add_names(told, row.told);
+  const auto is_measure = [](const std::string& name) { return name == "case" || std::ranges::count(measures, name); };
   const auto is_set = [&](const std::string& name) {
     return std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
   };
   std::string out = "case";
-  for (const Axis& axis : cases.axes()) out += "," + csv_cell(axis.name);
-  for (const std::string& name : told) out += "," + csv_cell(is_set(name) ? name + " told" : name);
+  for (const Axis& axis : cases.axes()) out += "," + csv_cell(is_measure(axis.name) ? axis.name + " set" : axis.name);
+  for (const std::string& name : told) out += "," + csv_cell(is_set(name) || is_measure(name) ? name + " told" : name);
   const auto is_told = [&](const std::string& name) { return timed || name != "seconds"; };
   for (const char* name : measures)
     if (is_told(name)) out += text(",", name);
   out += "\n";
   for (const CaseRow& row : rows) {
     out += std::to_string(row.number);
-    for (const auto& [name, value] : cases.settings(row.number)) out += "," + csv_cell(value);
+    for (const auto& [name, value] : cases.settings(row.number)) out += "," + csv_cell(as_number(value));
     for (const std::string& name : told) out += "," + csv_cell(cell_of(row.told, name));
     for (const char* name : measures)
       if (is_told(name)) out += "," + csv_cell(cell_of(row.measured, name));

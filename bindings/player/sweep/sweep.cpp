@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <thread>
 
-#include "base/hash.hpp"
 #include "lua/scene/open.hpp"
+#include "player/csv.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
@@ -20,6 +22,7 @@
 #include "player/sweep/ranks.hpp"
 #include "player/sweep/workers.hpp"
 #include "scene/errors.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::player {
 namespace {
@@ -49,40 +52,56 @@ std::vector<Axis> read_axes(const SweepOptions& options) {
   return axes;
 }
 
-/// Opens the scene once, which tells what it does not know, and which parameters are whole numbers. Returns a hash of all
-/// files that it read.
-std::uint64_t look_at_scene(std::vector<Axis>& axes, const std::string& path, const std::string& home,
-                            const SweepOptions& options) {
+/// What is known of the scene before the first case.
+struct SceneLook {
+  std::map<std::string, bool>
+      whole;            ///< its parameters: whether they are whole numbers; empty where it cannot be opened so
+  std::string unknown;  ///< why what is set is none of it; empty: it is
+};
+
+/// Opens the scene once.
+SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, const std::string& home,
+                        const SweepOptions& options) {
   SceneOptions first = limits(options, home);
   for (const Axis& axis : axes)
     if (!axis.values.empty() || axis.whole) first.set[axis.name] = axis.value(0);
-  Hash hash;
-  first.on_read = [&](const FileRead& file) { hash.add(file.content); };
-  const auto scene = lua::open_scene(path, first);
-  const auto& parameters = scene->parameters();
+  SceneLook look;
+  try {
+    const auto scene = lua::open_scene(path, first);
+    for (const SceneParameter& p : scene->parameters()) look.whole[p.name] = p.integer;
+    for (const Axis& axis : axes)
+      if (!look.whole.contains(axis.name) && !axis.name.starts_with("scene."))
+        look.unknown = text("the scene has no parameter '", axis.name, "'");
+  } catch (const UsageError& error) { look.unknown = error.what(); } catch (const Error&) {
+    look.whole.clear();  // the cases tell, each its own
+  }
+  return look;
+}
+
+/// Ranges of whole numbers have whole numbers.
+void settle_whole(std::vector<Axis>& axes, const SceneLook& look) {
+  if (!look.unknown.empty()) throw UsageError(look.unknown);
   for (Axis& axis : axes) {
-    const auto known = std::ranges::find(parameters, axis.name, &SceneParameter::name);
-    if (known == parameters.end() && !axis.name.starts_with("scene."))
-      throw UsageError(text("the scene has no parameter '", axis.name, "'"));
-    if (known == parameters.end() || !known->integer || !axis.values.empty()) continue;
+    const auto known = look.whole.find(axis.name);
+    if (known == look.whole.end() || !known->second || !axis.values.empty()) continue;
     axis.whole = true;
     if (static_cast<double>(axis.count) > std::abs(axis.to - axis.from) + 1.0)
       throw UsageError(text("'", axis.name,
                             "' is a whole number in this scene, as its default has no point: there are no ", axis.count,
                             " of them from ", axis.from, " to ", axis.to));
   }
-  return hash.value;
 }
 
 /// What makes a sweep another one.
-std::string identity(const SweepOptions& options, std::uint64_t files, std::uint64_t cases) {
+std::string identity(const SweepOptions& options, const std::string& path, std::uint64_t cases) {
   std::string all = text("pantin " PANTIN_VERSION " sweep of ", cases, " cases");
   for (const std::string& setting : options.settings) all += " --set " + setting;
   if (!options.seeds.empty()) all += " --seeds " + options.seeds;
   if (options.sample > 0) all += text(" --sample ", options.sample);
   if (options.until) all += text(" --until ", *options.until);
   if (options.timed) all += " --timed";
-  all += text(" --script-limit ", options.script_limit, " --memory-limit ", options.memory_limit, ", files ", files);
+  all += text(" --script-limit ", options.script_limit, " --memory-limit ", options.memory_limit, ", scene ",
+              hash_text(file_content(path).value_or("")));
   std::ranges::replace(all, '\n', ' ');
   return all;
 }
@@ -118,6 +137,11 @@ bool failed(const CaseRow& row) {
   return std::ranges::any_of(row.measured, [](const auto& cell) { return cell.first == "error"; });
 }
 
+std::string error_of(const CaseRow& row) {
+  const auto error = std::ranges::find(row.measured, "error", [](const auto& cell) { return cell.first; });
+  return error == row.measured.end() ? "" : error->second;
+}
+
 std::uint64_t failures(const Journal& journal) {
   return static_cast<std::uint64_t>(
       std::ranges::count_if(journal.rows(), [](const auto& row) { return failed(row.second); }));
@@ -132,22 +156,43 @@ int jobs_of(const SweepOptions& options, std::uint64_t cases) {
 class Course {
  public:
   Course(const Cases& cases, Journal& journal)
-      : cases_(cases), journal_(journal), progress_(journal.rows().size(), cases.count()), bad_(failures(journal)) {}
+      : cases_(cases), journal_(journal), progress_(journal.rows().size(), cases.count()), bad_(failures(journal)) {
+    for (const auto& [number, row] : journal.rows())
+      for (const auto& [path, hash] : row.files) {
+        note_file(path, hash);
+        kept_.insert(path);
+      }
+    for (const auto& [path, hash] : files_)
+      if (hash_text(file_content(path).value_or("")) != hash)
+        throw UsageError(
+            text(path, " was changed since the sweep was begun: put it back as it was, or delete the journal"));
+  }
   /// The next case that has no row.
   std::optional<std::uint64_t> next() {
     while (next_ < cases_.count() && journal_.rows().contains(next_)) next_++;
     if (next_ == cases_.count()) return {};
     return next_++;
   }
+  /// Throws Error where a file was changed since another case read it.
   void keep(CaseRow row) {
+    for (const auto& [path, hash] : row.files) note_file(path, hash);
+    std::erase_if(row.files, [&](const auto& file) { return !kept_.insert(file.first).second; });
     bad_ += failed(row) ? 1u : 0u;
     journal_.add(std::move(row));
     progress_.show(journal_.rows().size(), bad_);
   }
 
  private:
+  void note_file(const std::string& path, const std::string& hash) {
+    require(files_.try_emplace(path, hash).first->second == hash, path,
+            " was changed while the sweep runs: put it back as it was, and the same command goes on with the rest; or "
+            "delete the journal and begin anew");
+  }
+
   const Cases& cases_;
   Journal& journal_;
+  std::map<std::string, std::string> files_;  ///< that the cases read, and a hash of each
+  std::set<std::string> kept_;                ///< of them, those that the journal has
   CaseProgress progress_;
   std::uint64_t next_ = 0, bad_;
 };
@@ -161,7 +206,7 @@ bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Jou
   if (ranks) return ranks->hand_out(next, done);
   Workers workers(jobs_of(options, cases.count() - journal.rows().size()), work);
   return workers.run(next, done, [&](std::uint64_t number, const std::string& how) {
-    course.keep({number, {}, {{"error", how}}});
+    course.keep({number, {}, {{"error", how}}, {}});
   });
 }
 
@@ -183,9 +228,11 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
   table.write(case_table(cases, rows, options.timed));
   table.keep();
   journal.remove();
+  const std::uint64_t bad = failures(journal);
+  if (bad == all) say(text("all failed, the first with: ", error_of(rows.front())));
   std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(all),
-              static_cast<unsigned long long>(failures(journal)), options.out.c_str());
-  return 0;
+              static_cast<unsigned long long>(bad), options.out.c_str());
+  return bad == all ? 1 : 0;
 }
 
 }  // namespace
@@ -195,7 +242,7 @@ int sweep(const SweepOptions& options, const std::string& home) {
   std::vector<Axis> axes = read_axes(options);
   if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
   const std::uint64_t known = Cases(axes, options.sample).count();
-  const std::uint64_t files = look_at_scene(axes, path, home, options);
+  settle_whole(axes, look_at_scene(axes, path, home, options));
   const Cases cases(std::move(axes), options.sample);
   const auto work = [&](std::uint64_t number) {
     return line_of(run_case(number, path, case_options(options, home, cases, number), options.until, options.timed));
@@ -207,7 +254,7 @@ int sweep(const SweepOptions& options, const std::string& home) {
     ranks->serve(work);
     return 0;
   }
-  return write_sweep(options, identity(options, files, known), ranks ? &*ranks : nullptr, cases, work);
+  return write_sweep(options, identity(options, path, known), ranks ? &*ranks : nullptr, cases, work);
 }
 
 }  // namespace pantin::player
