@@ -107,13 +107,16 @@ std::string draw_lines(const PlotOptions& options, const NamedTable& table, std:
       left_out++;
       continue;
     }
-    const std::string name = options.by.empty() ? "" : options.by + " = " + short_number(row[by]);
-    auto line = std::ranges::find(lines, name, [](const auto& l) { return l.first; });
-    if (line == lines.end()) line = lines.insert(lines.end(), {name, {}});
+    const std::string value = options.by.empty() ? "" : row[by];
+    auto line = std::ranges::find(lines, value, [](const auto& l) { return l.first; });
+    if (line == lines.end()) line = lines.insert(lines.end(), {value, {}});
     line->second[*px].add(*py);
   }
-  for (const auto& [name, means] : lines) {
-    Series series{name, {}};
+  std::map<std::string, int> short_names;
+  for (const auto& line : lines) short_names[short_number(line.first)]++;
+  for (const auto& [value, means] : lines) {
+    const std::string few = short_number(value);
+    Series series{options.by.empty() ? "" : options.by + " = " + (short_names[few] > 1 ? value : few), {}};
     for (const auto& [at, mean] : means) series.points.emplace_back(at, mean.value());
     plot.series.push_back(std::move(series));
   }
@@ -158,6 +161,7 @@ int plot_table(const PlotOptions& options) {
   std::size_t left_out = 0;
   file.write(options.color.empty() ? draw_lines(told, table, left_out) : draw_map(told, table, left_out));
   file.keep();
+  if (table.failed() > 0) std::printf("%zu rows tell an error and are left out\n", table.failed());
   if (left_out > 0)
     std::printf("%zu of %zu rows have no such numbers and are left out\n", left_out, table.rows().size());
   return 0;

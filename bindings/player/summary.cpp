@@ -1,12 +1,12 @@
 #include "player/summary.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "fields/property.hpp"
 #include "forces/integrator.hpp"
 #include "measure/measure.hpp"
 #include "player/closing.hpp"
+#include "player/csv.hpp"
 #include "player/json.hpp"
 
 namespace pantin::player {
@@ -64,13 +64,11 @@ std::string text_of(const Json& json) {
 std::string summary(const Scene& scene, const std::string& failure) {
   const World& world = scene.world();
   const Json all_stats = property(world, "stats");
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash(world)));
   Json result;
   result["title"] = scene.title();
   result["time"] = property(world, "time");
   result["steps"] = world.steps;
-  result["hash"] = hash;
+  result["hash"] = hex_text(state_hash(world));
   result["energy"] = property(world, "energy");
   result["error"] = {{"penetration", world.error.penetration},       {"hinge_gap", world.error.hinge_gap},
                      {"constraint", world.error.constraint},         {"energy", world.error.energy},

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
+#include "bindings/program_support.hpp"
 #include "player/csv.hpp"
 #include "scene/errors.hpp"
-#include "support/process.hpp"
 
 using namespace pantin;
 using namespace pantin::support;
@@ -78,11 +78,22 @@ TEST_CASE("plot_table: what cannot be drawn is told, and leaves no file") {
   refused({.x = "a", .y = "b"}, "has no rows");
 }
 
-TEST_CASE("plot_table: rows that tell an error are left out") {
+TEST_CASE("plot_table: values that differ in their fifth digit are lines of their own, named in full") {
+  Folder folder;
+  write_file(folder / "t.csv", "a,b,k\n1,2,1.00001\n1,4,1.00002\n");
+  CHECK(player::plot_table({.table = folder / "t.csv", .x = "a", .y = "b", .by = "k", .out = folder / "t.svg"}) == 0);
+  const std::string svg = read_file(folder / "t.svg");
+  CHECK(count(svg, "<circle") == 2);
+  CHECK_THAT(svg, Contains("k = 1.00001") && Contains("k = 1.00002"));
+}
+
+TEST_CASE("plot_table: rows that tell an error are left out, and counted") {
   Folder folder;
   write_file(folder / "t.csv", "a,b,error\n1,2,\n2,3,\n3,9,too long\n");
   CHECK(player::plot_table({.table = folder / "t.csv", .x = "a", .y = "b", .out = folder / "t.svg"}) == 0);
   CHECK(count(read_file(folder / "t.svg"), "<circle") == 2);
+  const Finished told = use(folder, {"plot", "t.csv", "--x", "a", "--y", "b", "--out", "u.svg"});
+  CHECK(told.out == "1 rows tell an error and are left out\n");
 }
 
 TEST_CASE("plot_table: a table is read as it was written, with quotes and line breaks in cells") {

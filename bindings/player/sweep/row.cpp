@@ -106,9 +106,9 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
   return row;
 }
 
-std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, bool timed) {
+std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed) {
   std::vector<std::string> told;
-  for (const CaseRow& row : rows) add_names(told, row.told);
+  for (const auto& [number, row] : rows) add_names(told, row.told);
   const auto is_measure = [](const std::string& name) { return name == "case" || std::ranges::count(measures, name); };
   const auto is_set = [&](const std::string& name) {
     return std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
@@ -120,9 +120,9 @@ std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, boo
   for (const char* name : measures)
     if (is_told(name)) out += text(",", name);
   out += "\n";
-  for (const CaseRow& row : rows) {
-    out += std::to_string(row.number);
-    for (const auto& [name, value] : cases.settings(row.number)) out += "," + csv_cell(as_number(value));
+  for (const auto& [number, row] : rows) {
+    out += std::to_string(number);
+    for (const auto& [name, value] : cases.settings(number)) out += "," + csv_cell(as_number(value));
     for (const std::string& name : told) out += "," + csv_cell(cell_of(row.told, name));
     for (const char* name : measures)
       if (is_told(name)) out += "," + csv_cell(cell_of(row.measured, name));

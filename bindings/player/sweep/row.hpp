@@ -1,6 +1,7 @@
 #pragma once
 // What one case of a sweep came to.
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,6 +32,6 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
                  std::optional<double> until, bool timed);
 
 /// Comma-separated, a row per case: its number, what is set, what the scene told, what was measured.
-std::string case_table(const Cases& cases, const std::vector<CaseRow>& rows, bool timed);
+std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed);
 
 }  // namespace pantin::player

@@ -133,14 +133,12 @@ class CaseProgress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), next_ = start_;
 };
 
-bool failed(const CaseRow& row) {
-  return std::ranges::any_of(row.measured, [](const auto& cell) { return cell.first == "error"; });
-}
-
 std::string error_of(const CaseRow& row) {
   const auto error = std::ranges::find(row.measured, "error", [](const auto& cell) { return cell.first; });
   return error == row.measured.end() ? "" : error->second;
 }
+
+bool failed(const CaseRow& row) { return !error_of(row).empty(); }
 
 std::uint64_t failures(const Journal& journal) {
   return static_cast<std::uint64_t>(
@@ -222,14 +220,12 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
              " cases are done; the same command goes on with the rest"));
     return 1;
   }
-  std::vector<CaseRow> rows;
-  for (const auto& [number, row] : journal.rows()) rows.push_back(row);
   Output table(options.out);
-  table.write(case_table(cases, rows, options.timed));
+  table.write(case_table(cases, journal.rows(), options.timed));
   table.keep();
   journal.remove();
   const std::uint64_t bad = failures(journal);
-  if (bad == all) say(text("all failed, the first with: ", error_of(rows.front())));
+  if (bad == all) say(text("all failed, the first with: ", error_of(journal.rows().begin()->second)));
   std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(all),
               static_cast<unsigned long long>(bad), options.out.c_str());
   return bad == all ? 1 : 0;
