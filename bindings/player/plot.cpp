@@ -100,7 +100,8 @@ struct LegendEntry {
 
 std::vector<LegendEntry> legend_of(const std::vector<Plot>& plots, const std::vector<std::string>& names) {
   std::vector<LegendEntry> entries;
-  for (std::size_t i = 0; i < names.size(); i++) entries.push_back({names[i], stroke(i) + " stroke-width=\"2.5\""});
+  for (std::size_t i = 0; i < names.size(); i++)
+    if (!names[i].empty()) entries.push_back({names[i], stroke(i) + " stroke-width=\"2.5\""});
   const auto level = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.level > 0.0; });
   if (level != plots.end()) entries.push_back({level->level_name, dashes()});
   const auto mark = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return is_marked(plot); });

@@ -42,6 +42,12 @@ TEST_CASE("plot_table: a line for each value of a column, through the means of r
   CHECK_THAT(svg, Contains("name = a") && Contains("name = b") && Contains(">t<"));
 }
 
+TEST_CASE("plot_table: one line needs no legend") {
+  Folder folder;
+  CHECK(count(picture(folder, {.x = "size", .y = "cost"}), "stroke-width=\"2.5\"") == 0);
+  CHECK(count(picture(folder, {.x = "size", .y = "cost", .by = "name"}), "stroke-width=\"2.5\"") == 2);
+}
+
 TEST_CASE("plot_table: points alone, and axes that are logarithmic") {
   Folder folder;
   const std::string svg =

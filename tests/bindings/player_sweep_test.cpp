@@ -253,8 +253,8 @@ TEST_CASE("sweep: names that are those of columns are told apart") {
   write_file(folder / "names.lua", R"(
     local v = scene:param("case", 1.0)
     scene:result("case", v)
-    scene:result("cost", 7)
+    scene:result("steps", 7)
   )");
   REQUIRE(use(folder, {"sweep", "names.lua", "--set", "case=1,2", "--until", "0.01", "--out", "t.csv"}).code == 0);
-  CHECK_THAT(read_file(folder / "t.csv"), Contains("case,case set,case told,cost told,time,"));
+  CHECK_THAT(read_file(folder / "t.csv"), Contains("case,case set,case told,steps told,time,"));
 }

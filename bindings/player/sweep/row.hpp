@@ -24,8 +24,8 @@ struct CaseRow {
 
 /// Columns that every table has, in their order: `seconds` only where it is timed.
 inline constexpr const char* measures[] = {
-    "time",         "steps",          "hinge_gap", "constraint", "penetration", "energy_error", "iterations",
-    "halved_steps", "fallback_steps", "cost",      "seconds",    "hash",        "error"};
+    "time",         "steps",          "hinge_gap",      "constraint", "penetration", "energy_error", "iterations",
+    "halved_steps", "fallback_steps", "factorisations", "seconds",    "hash",        "error"};
 
 /// Runs a case on one thread; what fails is told in its row.
 CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptions& options,
