@@ -42,7 +42,8 @@ TEST_CASE("recording: shipped scenes in which somebody does anything are played 
     play_and_check(play, 11);
 }
 
-TEST_CASE("recording: minutes of anything in shipped scenes are played again to the bit", "[slow][shipped]") {
-  for (const char* name : {"chain", "bridge"}) play_and_check({name, 120}, 3);
+TEST_CASE("recording: a minute of anything in shipped scenes are played again to the bit", "[slow][shipped]") {
+  play_and_check({"chain", 60}, 3);
+  play_and_check({"bridge", 10}, 3);
   for (const char* name : {"cloth", "membrane"}) play_and_check({name, 5}, 4);
 }
