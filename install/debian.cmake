@@ -11,7 +11,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME pantin)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
-    "physics engine to play with, scripted in Lua\nScenes of hinged bodies, things that touch and particles with laws of one's own: open them in a window and drag them about, run and test them without one, film them, and sweep over their parameters.")
+    "Scenes of hinged bodies, of things that touch and of particles with laws\nof one's own: open them in a window and drag them about, run and test them\nwithout one, film them, and sweep over their parameters.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # What is opened while it runs; the rest is what it is linked with.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1")
@@ -20,7 +20,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-dejavu-core,
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libpantin-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-    "physics engine to play with: the library\nHeaders, and libraries to link statically: the engine (CMake target pantin::engine, pkg-config pantin), and scenes in Lua over it (pantin::lua, pantin-lua).")
+    "Headers, and libraries to link statically: the engine (CMake target\npantin::engine, pkg-config pantin), and scenes in Lua over it (pantin::lua,\npantin-lua).")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libtbb-dev, libsleef-dev, libqhull-dev, liblua5.4-dev, pkg-config")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS pantin)
 
@@ -34,4 +34,5 @@ foreach(part program library)
   " COMPONENT ${part})
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz DESTINATION ${documents} COMPONENT ${part})
 endforeach()
+install(FILES lintian-overrides RENAME libpantin-dev DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT library)
 include(CPack)

@@ -44,6 +44,20 @@ TEST_CASE("pages: each word of ours for who comes from elsewhere stands in the r
     CHECK((reference.find(type + rest) != std::string::npos || reference.find(field) != std::string::npos));
   }
   CHECK(count > 50);
+  std::smatch example;
+  REQUIRE(std::regex_search(coming, example, std::regex("```lua\n([^`]*)```")));
+  const Folder folder;
+  write_file(folder / "plank.lua", example[1]);
+  CHECK(energy_error(folder, {"run", "plank.lua", "--until", "2"}) < 1e-9);
+}
+
+TEST_CASE("pages: the first scene that a reader sees runs") {
+  const std::string readme = read_file(sources::folder() + "/README.md");
+  std::smatch scene;
+  REQUIRE(std::regex_search(readme, scene, std::regex("```lua\n([^`]*)```")));
+  const Folder folder;
+  write_file(folder / "mine.lua", scene[1]);
+  CHECK(energy_error(folder, {"run", "mine.lua", "--until", "11"}) < 1e-3);
 }
 
 TEST_CASE("pages: what shakes does, and does not as the page sets it") {
