@@ -22,7 +22,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
     "Headers, and libraries to link statically: the engine (CMake target\npantin::engine, pkg-config pantin), and scenes in Lua over it (pantin::lua,\npantin-lua).")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libtbb-dev, libsleef-dev, libqhull-dev, liblua5.4-dev, pkg-config")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS pantin)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS pantin)
 
 configure_file(changelog.in changelog @ONLY)
 foreach(part program library)
