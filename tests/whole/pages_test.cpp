@@ -23,6 +23,15 @@ double energy_error(const Folder& folder, std::vector<std::string> arguments) {
   return std::stod(found[1]);
 }
 
+/// The error of the first scene of a page.
+double error_of_first(const std::string& text, const std::string& until) {
+  std::smatch scene;
+  REQUIRE(std::regex_search(text, scene, std::regex("```lua\n([^`]*)```")));
+  const Folder folder;
+  write_file(folder / "scene.lua", scene[1]);
+  return energy_error(folder, {"run", "scene.lua", "--until", until});
+}
+
 }  // namespace
 
 TEST_CASE("pages: the library's examples are those that are built from outside") {
@@ -44,20 +53,11 @@ TEST_CASE("pages: each word of ours for who comes from elsewhere stands in the r
     CHECK((reference.find(type + rest) != std::string::npos || reference.find(field) != std::string::npos));
   }
   CHECK(count > 50);
-  std::smatch example;
-  REQUIRE(std::regex_search(coming, example, std::regex("```lua\n([^`]*)```")));
-  const Folder folder;
-  write_file(folder / "plank.lua", example[1]);
-  CHECK(energy_error(folder, {"run", "plank.lua", "--until", "2"}) < 1e-9);
+  CHECK(error_of_first(coming, "2") < 1e-9);
 }
 
 TEST_CASE("pages: the first scene that a reader sees runs") {
-  const std::string readme = read_file(sources::folder() + "/README.md");
-  std::smatch scene;
-  REQUIRE(std::regex_search(readme, scene, std::regex("```lua\n([^`]*)```")));
-  const Folder folder;
-  write_file(folder / "mine.lua", scene[1]);
-  CHECK(energy_error(folder, {"run", "mine.lua", "--until", "11"}) < 1e-3);
+  CHECK(error_of_first(read_file(sources::folder() + "/README.md"), "11") < 1e-3);
 }
 
 TEST_CASE("pages: what shakes does, and does not as the page sets it") {
