@@ -59,7 +59,8 @@ TEST_CASE("tutorial: each of its scenes runs for ten seconds, and each of its co
   }
   CHECK(scenes == 6);
   CHECK(commands == 4);
-  for (const char* file : {"ball.csv", "heights.svg", "throw.csv", "throw.svg"}) CHECK(std::filesystem::exists(folder / file));
+  for (const char* file : {"ball.csv", "heights.svg", "throw.csv", "throw.svg"})
+    CHECK(std::filesystem::exists(folder / file));
 }
 
 TEST_CASE("tutorial: its pictures are there") {
