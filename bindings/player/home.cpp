@@ -1,6 +1,7 @@
 #include "player/home.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -17,12 +18,12 @@ bool holds_scenes(const fs::path& folder) {
   return fs::is_directory(folder / "scripts" / "scenes", ignored);
 }
 
-std::string shipped_scenes(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".lua") names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
+/// Games are scenes, too.
+std::array<fs::path, 2> shipped_folders(const fs::path& home) {
+  return {home / "scripts" / "scenes", home / "examples" / "games"};
+}
+
+std::string listed(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   return list;
@@ -47,16 +48,26 @@ std::string find_home() {
       "folder that holds scripts");
 }
 
+std::vector<std::string> shipped_names(const std::string& home) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::path& folder : shipped_folders(home))
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (entry.path().extension() == ".lua") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string find_scene(const std::string& scene, const std::string& home) {
   std::error_code ignored;
   if (fs::is_regular_file(scene, ignored)) return scene;
-  fs::path folder = fs::path(home) / "scripts" / "scenes";
-  bool plain = !scene.empty() && scene.find('/') == std::string::npos;
-  if (fs::path shipped = folder / (scene + ".lua"); plain && fs::is_regular_file(shipped, ignored)) return shipped;
-  if (fs::path shipped = folder / scene; plain && fs::is_regular_file(shipped, ignored)) return shipped;
+  if (!scene.empty() && scene.find('/') == std::string::npos)
+    for (const fs::path& folder : shipped_folders(home))
+      for (const fs::path& shipped : {folder / (scene + ".lua"), folder / scene})
+        if (fs::is_regular_file(shipped, ignored)) return shipped;
   if (fs::is_directory(scene, ignored)) throw UsageError(text("'", scene, "' is a folder, not a scene"));
-  throw UsageError(
-      text("there is no scene '", scene, "': give a file, or a shipped scene's name (", shipped_scenes(folder), ")"));
+  throw UsageError(text("there is no scene '", scene, "': give a file, or a shipped scene's name (",
+                        listed(shipped_names(home)), ")"));
 }
 
 std::string scene_name(const std::string& path) { return fs::path(path).stem(); }

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <utility>
 
+#include "player/manual.hpp"
 #include "player/saved_state.hpp"
 #include "scene/errors.hpp"
 #include "view/film.hpp"
@@ -262,6 +263,61 @@ void settle(Options& options, const Texts& texts) {
   check_untrusted(options.run);
 }
 
+/// All that the program is asked for by; the values go into `options` and `texts`.
+void add_commands(CLI::App& app, Options& options, Texts& texts) {
+  app.description("A physics engine to play with, scripted in Lua.");
+  app.set_version_flag("--version", "pantin " PANTIN_VERSION);
+  CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
+  play->add_option("scene", options.run.scene,
+                   "A scene's file, or the name of a shipped one; without it, the browser of scenes");
+  play->add_option("--scenes", options.run.scenes, "A folder of your own scenes, for the browser")
+      ->check(CLI::ExistingDirectory)
+      ->default_str("where you are")
+      ->type_name("DIR");
+  play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
+  play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
+      ->type_name("FILE");
+  add_scene_options(*play, options.run, texts);
+  add_untrusted(*play, options.run);
+  CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
+  run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one");
+  add_state(*run, options.run);
+  add_scene_options(*run, options.run, texts);
+  add_untrusted(*run, options.run);
+  CLI::App* replay = app.add_subcommand("replay",
+                                        "Does again what was recorded, to the bit, and checks that: in a window where "
+                                        "there is a display, where one may go "
+                                        "to any time of it");
+  replay->add_option("file", options.run.record, "What `pantin play --record FILE` wrote")->required();
+  replay->add_flag("--headless", options.run.headless, "Without a window, as fast as it goes");
+  replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
+  add_look(*replay, texts);
+  add_limits(*replay, options.run, texts);
+  add_threads(*replay, options.run);
+  CLI::App* report = app.add_subcommand(
+      "report",
+      "Tells how exact a scene is with which step and integrator, and what processor time that costs on one thread");
+  report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
+  report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
+      ->type_name("PREFIX");
+  add_settings(*report, texts);
+  add_limits(*report, options.run, texts);
+  CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
+  test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
+  add_untrusted(*test, options.run);
+  add_fuzz(*test, options.fuzz);
+  add_soak(*test, options.soak);
+  add_sweep(app, options.sweep, options.run, texts);
+  add_plot(app, options.plot);
+  CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
+  bench->add_option("name", options.arguments, "Which, and its arguments [all]");
+  bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
+  CLI::App* meta = app.add_subcommand("meta", "Prints what is made of the program's own tables");
+  meta->add_option("what", options.arguments, "What: annotations for a Lua language server unless given")
+      ->check(CLI::IsMember({"reference", "man", "bash"}));
+  meta->group("");
+}
+
 Options::Command command_of(const CLI::App& app) {
   using Command = Options::Command;
   constexpr std::pair<const char*, Command> commands[] = {
@@ -325,58 +381,8 @@ SceneOptions scene_options(const RunOptions& options, const std::string& home) {
 Options read_options(int argc, const char* const* argv) {
   Options options;
   Texts texts;
-  CLI::App app("A physics engine to play with, scripted in Lua.", "pantin");
-  app.set_version_flag("--version", "pantin " PANTIN_VERSION);
-
-  CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
-  play->add_option("scene", options.run.scene,
-                   "A scene's file, or the name of a shipped one; without it, the browser of scenes");
-  play->add_option("--scenes", options.run.scenes, "A folder of your own scenes, for the browser")
-      ->check(CLI::ExistingDirectory)
-      ->default_str("where you are")
-      ->type_name("DIR");
-  play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
-  play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
-      ->type_name("FILE");
-  add_scene_options(*play, options.run, texts);
-  add_untrusted(*play, options.run);
-  CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
-  run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one");
-  add_state(*run, options.run);
-  add_scene_options(*run, options.run, texts);
-  add_untrusted(*run, options.run);
-  CLI::App* replay = app.add_subcommand("replay",
-                                        "Does again what was recorded, to the bit, and checks that: in a window where "
-                                        "there is a display, where one may go "
-                                        "to any time of it");
-  replay->add_option("file", options.run.record, "What `pantin play --record FILE` wrote")->required();
-  replay->add_flag("--headless", options.run.headless, "Without a window, as fast as it goes");
-  replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
-  add_look(*replay, texts);
-  add_limits(*replay, options.run, texts);
-  add_threads(*replay, options.run);
-  CLI::App* report = app.add_subcommand(
-      "report",
-      "Tells how exact a scene is with which step and integrator, and what processor time that costs on one thread");
-  report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
-  report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
-      ->type_name("PREFIX");
-  add_settings(*report, texts);
-  add_limits(*report, options.run, texts);
-  CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
-  test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
-  add_untrusted(*test, options.run);
-  add_fuzz(*test, options.fuzz);
-  add_soak(*test, options.soak);
-  add_sweep(app, options.sweep, options.run, texts);
-  add_plot(app, options.plot);
-  CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
-  bench->add_option("name", options.arguments, "Which, and its arguments [all]");
-  bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
-  CLI::App* meta = app.add_subcommand("meta", "Prints the annotations for a Lua language server, or the reference");
-  meta->add_option("what", options.arguments, "What: annotations unless given")->check(CLI::IsMember({"reference"}));
-  meta->group("");
-
+  CLI::App app("", "pantin");
+  add_commands(app, options, texts);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -391,8 +397,24 @@ Options read_options(int argc, const char* const* argv) {
   if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
   settle(options, texts);
   options.command = command_of(app);
-  if (*run) settle_state(options.run);
+  if (options.command == Options::Command::run) settle_state(options.run);
   return options;
+}
+
+std::string manual_page() {
+  Options options;
+  Texts texts;
+  CLI::App app("", "pantin");
+  add_commands(app, options, texts);
+  return manual_page(app, PANTIN_VERSION);
+}
+
+std::string bash_completion(const std::vector<std::string>& scenes) {
+  Options options;
+  Texts texts;
+  CLI::App app("", "pantin");
+  add_commands(app, options, texts);
+  return bash_completion(app, scenes);
 }
 
 }  // namespace pantin::player

@@ -62,6 +62,11 @@ struct Options {
 /// Reads the command line. Help and version are printed and leave Command::none; wrong use throws UsageError.
 Options read_options(int argc, const char* const* argv);
 
+/// A page for `man` of all commands.
+std::string manual_page();
+/// A script by which bash completes them, and the names of shipped scenes.
+std::string bash_completion(const std::vector<std::string>& scenes);
+
 /// How the scene is to be opened.
 SceneOptions scene_options(const RunOptions& options, const std::string& home);
 

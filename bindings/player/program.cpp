@@ -32,6 +32,13 @@
 namespace pantin::player {
 namespace {
 
+std::string meta(const std::string& what) {
+  if (what == "reference") return lua::reference() + key_reference();
+  if (what == "man") return manual_page();
+  if (what == "bash") return bash_completion(shipped_names(find_home()));
+  return lua::annotations();
+}
+
 int do_command(const Options& options) {
   switch (options.command) {
     case Options::Command::none: return 0;
@@ -45,9 +52,7 @@ int do_command(const Options& options) {
     case Options::Command::sweep: return sweep(options.sweep, find_home());
     case Options::Command::plot: return plot_table(options.plot);
     case Options::Command::bench: return bench({options.arguments, options.peers});
-    case Options::Command::meta:
-      std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference() + key_reference());
-      return 0;
+    case Options::Command::meta: std::cout << meta(options.arguments.empty() ? "" : options.arguments[0]); return 0;
   }
   return 2;
 }

@@ -57,9 +57,10 @@ TEST_CASE("tutorial: each of its scenes runs for ten seconds, and each of its co
       commands++;
     }
   }
-  CHECK(scenes == 5);
-  CHECK(commands == 3);
-  for (const char* file : {"ball.csv", "ball-0.2.json", "ball-0.8.json"}) CHECK(std::filesystem::exists(folder / file));
+  CHECK(scenes == 6);
+  CHECK(commands == 4);
+  for (const char* file : {"ball.csv", "heights.svg", "throw.csv", "throw.svg"})
+    CHECK(std::filesystem::exists(folder / file));
 }
 
 TEST_CASE("tutorial: its pictures are there") {
@@ -68,5 +69,5 @@ TEST_CASE("tutorial: its pictures are there") {
   int count = 0;
   for (std::sregex_iterator at(page.begin(), page.end(), picture), end; at != end; ++at, count++)
     CHECK(std::filesystem::exists(sources::folder() + "/assets/pages/" + (*at)[1].str()));
-  CHECK(count == 5);
+  CHECK(count == 7);
 }
