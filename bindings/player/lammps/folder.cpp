@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "base/bounds.hpp"
 #include "player/output.hpp"
@@ -106,11 +105,6 @@ std::string data_text(const World& world, const LammpsSystem& system, const std:
   return out.str();
 }
 
-/// One way of interpolation for all pairs of a style, or all bonds.
-bool all_splined(const std::vector<LammpsTable>& tables) {
-  return std::ranges::all_of(tables, [](const LammpsTable& t) { return t.table.spline; });
-}
-
 std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
   Text out;
   out << "# distance m, energy J, force N\n";
@@ -130,84 +124,64 @@ std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
   return out.str();
 }
 
-/// The pair styles, each tables of one way and one number of points.
+/// Pairs whose tables are of one way and one number of points; of formulas all of a style.
 struct Substyle {
-  int exclude = 0;
-  bool spline = true;
-  std::size_t points = 0;
+  std::string text;  ///< "table spline 1024"
   std::vector<PairCoefficient> coefficients;
 };
 
-std::vector<Substyle> substyles(const LammpsSystem& system) {
+std::vector<Substyle> substyles(const LammpsSystem& system, bool by_tables) {
   std::vector<Substyle> list;
   for (const PairStyle& style : system.pair_styles) {
-    std::map<std::pair<bool, std::size_t>, Substyle> by_way;
+    std::map<std::string, std::vector<PairCoefficient>> by_text;
     for (const PairCoefficient& c : style.coefficients) {
       const LawTable& table = system.pair_tables[c.table].table;
-      Substyle& sub = by_way[{table.spline, table.r.size()}];
-      sub.coefficients.push_back(c);
+      by_text[by_tables ? text("table ", table.spline ? "spline " : "linear ", table.r.size())
+                        : text("lepton ", table.to())]
+          .push_back(c);
     }
-    for (auto& [way, sub] : by_way) {
-      sub.exclude = style.exclude;
-      std::tie(sub.spline, sub.points) = way;
-      list.push_back(std::move(sub));
-    }
+    for (auto& [way, coefficients] : by_text) list.push_back({way, std::move(coefficients)});
   }
   return list;
 }
 
-/// Factors of pairs 1, 2 and 3 connections apart.
-std::string weights(int exclude) {
-  return text(exclude >= 1 ? 0 : 1, ' ', exclude >= 2 ? 0 : 1, ' ', exclude >= 3 ? 0 : 1);
+std::string pair_laws_text(const LammpsSystem& system, bool by_tables) {
+  const std::vector<Substyle> subs = substyles(system, by_tables);
+  if (subs.empty()) return "pair_style none\n";
+  std::string out = "pair_style hybrid/overlay";
+  for (const Substyle& sub : subs) out += " " + sub.text;
+  out += "\n";
+  const char* const style = by_tables ? "table" : "lepton";
+  std::map<std::string, int> met;
+  std::set<std::pair<int, int>> covered;
+  for (const Substyle& sub : subs) {
+    const std::string number = subs.size() > 1 ? text(++met[style], ' ') : "";
+    for (const PairCoefficient& c : sub.coefficients) {
+      const LammpsTable& t = system.pair_tables[c.table];
+      covered.insert({c.a, c.b});
+      out += text("pair_coeff ", c.a, ' ', c.b, ' ', style, ' ', number,
+                  by_tables ? "pair.table " + t.name : '"' + t.lepton + '"', ' ', t.table.to(), "\n");
+    }
+  }
+  for (int a = 1; a <= static_cast<int>(system.types.size()); a++)
+    for (int b = a; b <= static_cast<int>(system.types.size()); b++)
+      if (!covered.contains({a, b})) out += text("pair_coeff ", a, ' ', b, " none\n");
+  return out;
 }
 
 /// Pair and bond styles by tables, or by formulas.
 std::string laws_text(const LammpsSystem& system, bool by_tables) {
-  const std::vector<Substyle> subs = by_tables ? substyles(system) : [&] {
-    std::vector<Substyle> list;
-    for (const PairStyle& style : system.pair_styles) list.push_back({style.exclude, true, 0, style.coefficients});
-    return list;
-  }();
-  std::string out;
-  const bool mixed = std::ranges::any_of(subs, [&](const Substyle& s) { return s.exclude != subs[0].exclude; });
-  if (!system.bonds.empty())
-    out += text("special_bonds lj/coul ",
-                mixed          ? "0.5 0.5 0.5"
-                : subs.empty() ? "1 1 1"
-                               : weights(subs[0].exclude),
-                "\n");
-  out += "pair_style hybrid/overlay";
-  double longest = 0.0;
-  for (const LammpsTable& t : system.pair_tables) longest = std::max(longest, t.table.to());
-  for (const Substyle& sub : subs)
-    out += by_tables ? text(" table ", sub.spline ? "spline " : "linear ", sub.points) : text(" lepton ", longest);
-  if (subs.empty()) out = out.substr(0, out.rfind("pair_style")) + "pair_style none";
-  out += "\n";
-  std::set<std::pair<int, int>> covered;
-  for (std::size_t s = 0; s < subs.size(); s++) {
-    const std::string number = subs.size() > 1 ? text(s + 1, ' ') : "";
-    for (const PairCoefficient& c : subs[s].coefficients) {
-      const LammpsTable& t = system.pair_tables[c.table];
-      covered.insert({c.a, c.b});
-      out += by_tables
-                 ? text("pair_coeff ", c.a, ' ', c.b, " table ", number, "pair.table ", t.name, ' ', t.table.to(), "\n")
-                 : text("pair_coeff ", c.a, ' ', c.b, " lepton ", number, '"', t.lepton, "\" ", t.table.to(), "\n");
-    }
-    if (mixed)
-      out += text("pair_modify pair ", by_tables ? "table " : "lepton ", number, "special lj/coul ",
-                  weights(subs[s].exclude), "\n");
-  }
-  for (int a = 1; !subs.empty() && a <= static_cast<int>(system.types.size()); a++)
-    for (int b = a; b <= static_cast<int>(system.types.size()); b++)
-      if (!covered.contains({a, b})) out += text("pair_coeff ", a, ' ', b, " none\n");
-  if (system.bonds.empty()) return out;
-  std::size_t points = 0;
-  for (const LammpsTable& t : system.bond_tables) points = std::max(points, t.table.r.size());
-  out += by_tables ? text("bond_style table ", all_splined(system.bond_tables) ? "spline " : "linear ", points, "\n")
+  if (system.bonds.empty()) return pair_laws_text(system, by_tables);
+  const auto weight = [&](int apart) { return system.exclude >= apart ? "0" : "1"; };
+  std::string out = text("special_bonds lj/coul ", weight(1), ' ', weight(2), ' ', weight(3), "\n");
+  out += pair_laws_text(system, by_tables);
+  const LawTable& first = system.bond_tables[0].table;  // all are alike
+  out += by_tables ? text("bond_style table ", first.spline ? "spline " : "linear ", first.r.size(), "\n")
                    : std::string("bond_style lepton\n");
-  for (std::size_t i = 0; i < system.bond_tables.size(); i++)
-    out += by_tables ? text("bond_coeff ", i + 1, " bond.table ", system.bond_tables[i].name, "\n")
-                     : text("bond_coeff ", i + 1, " 0.0 \"", system.bond_tables[i].lepton, "\"\n");
+  for (std::size_t i = 0; i < system.bond_tables.size(); i++) {
+    const LammpsTable& t = system.bond_tables[i];
+    out += text("bond_coeff ", i + 1, by_tables ? " bond.table " + t.name : " 0.0 \"" + t.lepton + "\"", "\n");
+  }
   return out;
 }
 
@@ -229,12 +203,16 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
                          "# Units: those of the scene, m, kg, s, J, N; temperatures are k_B T in J. In `units lj` "
                          "LAMMPS converts nothing.\n");
   out += text("# Energy of all laws here: ", task.law_energy, " J. Tables follow their laws to ", system.error,
-              " of the energy and force there, or of the largest that\n# there are now where that is more.\n");
+              " of the energy and force there, or of the usual ones\n# now where these are more.\n");
   for (const auto* list : {&system.pair_tables, &system.bond_tables})
     for (const LammpsTable& t : *list)
       out += text("#   ", t.name, ": ", t.law, ", ", t.table.r.size(),
                   t.table.spline ? " points, splines" : " points, straight lines", ", from ", t.table.from(), " to ",
-                  t.table.to(), " m, error ", rounded(t.table.error), "\n");
+                  t.table.to(), " m, error ", rounded(t.table.error),
+                  t.table.inner_error > 0.0
+                      ? text(" from ", rounded(t.table.good_from), " m on, ", rounded(t.table.inner_error), " before")
+                      : "",
+                  "\n");
   out += "# A particle that comes nearer, or a bond that leaves its table, ends the run: the step is too long then.\n";
   if (lepton) out += "# LAMMPS from 2023 on takes formulas in place of tables: -var laws lepton (slower, exact).\n";
   for (std::size_t i = 0; i < system.types.size(); i++)

@@ -106,8 +106,8 @@ class Writer {
       case Function::maximum: return lepton ? call("max") : chosen(x[1], ">", x[0]);
       case Function::less: return lepton ? "(1-step(" + x[0] + "-" + x[1] + "))" : "(" + x[0] + "<" + x[1] + ")";
       case Function::less_or_equal: return lepton ? "step(" + x[1] + "-" + x[0] + ")" : "(" + x[0] + "<=" + x[1] + ")";
-      case Function::select:
-        return lepton ? call("select") : "((" + x[0] + "!=0)*" + x[1] + "+(" + x[0] + "==0)*" + x[2] + ")";
+      case Function::select:  // conditions are 1 or 0
+        return lepton ? call("select") : "(" + x[0] + "*" + x[1] + "+(1-" + x[0] + ")*" + x[2] + ")";
       case Function::spline: break;
     }
     return "";

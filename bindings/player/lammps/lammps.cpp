@@ -101,7 +101,7 @@ class Check {
   void look(const std::string& folder, double energy) {
     const LammpsSystem& system = given_.system;
     const DumpedAtoms told = read_dump((fs::path(folder) / "start.dump").string(), system.atoms.size(), 3);
-    double largest = system.largest_force, missed = 0.0;
+    double largest = system.usual_force, missed = 0.0;
     std::uint32_t worst = 0;
     for (std::uint32_t i = 0; i < system.atoms.size(); i++) {
       const Vec3 ours = given_.forces.on[system.atoms[i].slot - 1];
@@ -110,7 +110,7 @@ class Check {
       if (off > missed) missed = off, worst = i;
     }
     if (largest > 0.0) force_error_ = missed / largest;
-    const double scale = std::max(std::abs(given_.forces.energy), system.largest_energy);
+    const double scale = std::max(std::abs(given_.forces.energy), system.energy_size);
     if (scale > 0.0) energy_error_ = std::abs(energy - given_.forces.energy) / scale;
     const double limit = std::max(system.error, 1e-12);
     require(force_error_ <= limit, "LAMMPS has another force on ", describe(given_.scene->world(), system.atoms[worst]),

@@ -17,8 +17,11 @@ namespace {
 const Input distance_square{Role::distance2, 0, 0, {}};
 constexpr std::size_t most_splined = std::size_t{1} << 15, most_straight = std::size_t{1} << 18;
 constexpr double one = 1e-12;  ///< distances that differ by less, relative to themselves, are one
-constexpr double far_energy = 1e3,
-                 far_force = 1e6;  ///< times the largest there are now: where a table may begin or end
+/// Energies of so many times the largest there are now nothing in the scene gives: there a table may begin or end. Straight
+/// lines need far more points to get there.
+constexpr double far_splined = 1e6, far_straight = 1e3;
+/// Where a law does not vanish as particles meet, its table is less exact in the first few intervals, to this at most.
+constexpr double most_inner = 0.05;
 
 bool is_branch(Function f) {
   return f == Function::less || f == Function::less_or_equal || f == Function::minimum || f == Function::maximum;
@@ -161,75 +164,90 @@ class TableMaker {
 
   LawTable make() {
     find_sizes();
+    const double last = wish_.to > 0.0 ? wish_.to : 2.0 * farthest_;
+    far_ = splines(law_.kinks(0.5 * nearest_, last)) ? far_splined : far_straight;
     double from = beginning();
     const double to = wish_.to > 0.0 ? wish_.to : end();
-    for (int attempt = 0; attempt < 8; attempt++) {
-      if (make_between(from, to)) return std::move(table_);
-      require(good_from_ < 0.7 * wish_.nearest, law_.name(), ": no table of ", most_straight,
-              " points follows it to an error of ", wish_.error,
-              ": it jumps, or bends in more than one place; ask for a larger --error, or make it smooth");
-      from = good_from_ * 1.01;
+    make_between(from, to);
+    require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", most_straight,
+            " points follows it to an error of ", wish_.error,
+            ": it jumps, or bends in more than one place; ask for a larger --error, or make it smooth");
+    for (int attempt = 0; attempt < 8 && table_.inner_error > most_inner; attempt++) {
+      from = 0.3 * from + 0.7 * table_.good_from;
+      make_between(from, to);
     }
-    refuse(law_.name(), ": no table follows it to an error of ", wish_.error, "; ask for a larger --error");
+    require(table_.inner_error <= most_inner, law_.name(), ": no table follows it to an error of ", wish_.error,
+            "; ask for a larger --error");
+    return std::move(table_);
   }
 
  private:
   LawOfDistance& law_;
   TableWish wish_;
   LawTable table_;
-  double good_from_ = 0.0;  // [m] from where on the last table was good
+  double nearest_ = 0.0, farthest_ = 0.0;              // [m] now
+  double largest_energy_ = 0.0, largest_force_ = 0.0;  // [J], [N] there
+  double far_ = far_straight;
 
   double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
   double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
 
-  /// The largest values where particles are now.
+  /// How large the law is where particles are now.
   void find_sizes() {
-    std::vector<double> r;
-    const double low = 0.99 * wish_.nearest;
-    const double high = wish_.over == TableOver::square ? wish_.to : 1.01 * std::max(wish_.farthest, wish_.nearest);
-    for (int i = 0; i <= 512; i++) r.push_back(std::max(low + (high - low) * i / 512.0, 1e-300));
-    for (const LawOfDistance::Value& v : law_.at(r)) {
-      require(std::isfinite(v.energy) && std::isfinite(v.force), law_.name(), ": it is not a finite number at ", low,
-              " m, where particles are now");
-      table_.largest_energy = std::max(table_.largest_energy, std::abs(v.energy));
-      table_.largest_force = std::max(table_.largest_force, std::abs(v.force));
-      table_.stiffness = std::max(table_.stiffness, -v.slope);
+    nearest_ = std::ranges::min(wish_.distances);
+    farthest_ = std::ranges::max(wish_.distances);
+    for (const double more : {1.0, 1.01}) {
+      std::vector<double> r;
+      for (double distance : wish_.distances) r.push_back(more * distance);
+      double energy = 0.0, force = 0.0;
+      for (const LawOfDistance::Value& v : law_.at(r)) {
+        require(std::isfinite(v.energy) && std::isfinite(v.force), law_.name(),
+                ": it is not a finite number where particles are now, the nearest ", nearest_, " m apart");
+        energy += std::abs(v.energy);
+        force += std::abs(v.force);
+        largest_energy_ = std::max(largest_energy_, std::abs(v.energy));
+        largest_force_ = std::max(largest_force_, std::abs(v.force));
+        table_.stiffness = std::max(table_.stiffness, -v.slope);
+      }
+      const auto count = static_cast<double>(r.size());
+      table_.usual_energy = std::max(table_.usual_energy, energy / count);
+      table_.usual_force = std::max(table_.usual_force, force / count);
     }
   }
+
+  bool splines(const std::vector<double>& kinks) const { return kinks.empty() && !wish_.straight && law_.has_energy(); }
 
   bool is_far(double r) const {
     const LawOfDistance::Value v = law_.at(std::span(&r, 1))[0];
     if (!std::isfinite(v.energy) || !std::isfinite(v.force)) return true;
-    return (law_.has_energy() && std::abs(v.energy) > far_energy * table_.largest_energy) ||
-           std::abs(v.force) > far_force * table_.largest_force;
+    return (law_.has_energy() && std::abs(v.energy) > far_ * largest_energy_) ||
+           std::abs(v.force) > 1e3 * far_ * largest_force_;
   }
 
   /// Where a table may begin: nearer particles have energy that nothing in the scene has to give.
   double beginning() const {
-    double r = wish_.nearest;
-    const double least = 0.01 * wish_.nearest;
-    while (r > least && !is_far(r * 0.97)) r *= 0.97;
+    double r = nearest_;
+    while (r > 0.01 * nearest_ && !is_far(r * 0.97)) r *= 0.97;
     return r;
   }
 
   /// The same of a bond's other end.
   double end() const {
-    double r = std::max(wish_.farthest, wish_.nearest);
-    const double most = 8.0 * r;
-    while (r < most && !is_far(r * 1.03)) r *= 1.03;
+    double r = farthest_;
+    while (r < 8.0 * farthest_ && !is_far(r * 1.03)) r *= 1.03;
     return r;
   }
 
-  bool make_between(double from, double to) {
+  void make_between(double from, double to) {
     const std::vector<double> kinks = law_.kinks(from, to);
-    table_.spline = kinks.empty() && !wish_.straight && law_.has_energy();
+    table_.spline = splines(kinks);
     const std::size_t most = table_.spline ? most_splined : most_straight;
     for (std::size_t n = wish_.points;;) {
       sample(from, to, kinks, n);
-      if (table_.error <= wish_.error) return true;
-      if (n >= most) return false;
+      if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) return;
       // The error goes with the second or fourth power of the spacing.
-      const double finer = std::pow(std::min(table_.error / wish_.error, 1e30), table_.spline ? 0.25 : 0.5);
+      const double finer = std::pow(std::min(std::max(table_.error, table_.inner_error) / wish_.error, 1e30),
+                                    table_.spline ? 0.25 : 0.5);
       n = std::min(most, n * std::bit_floor(static_cast<std::size_t>(std::clamp(finer, 2.0, 1024.0))));
     }
   }
@@ -254,16 +272,20 @@ class TableMaker {
     within.back() = r.back() * (1.0 - 2.0 * one);  // at a cutoff the law is another
     std::vector<LawOfDistance::Value> values = law_.at(within);
     keep(r, values);
-    table_.error = 0.0;
-    good_from_ = to;
     const std::vector<double> energy = between(values, r, &LawOfDistance::Value::energy),
                               force = between(values, r, &LawOfDistance::Value::force);
+    table_.error = table_.inner_error = 0.0;
+    table_.good_from = to;
     for (std::size_t i = n - 1; i-- > 0;) {
       const LawOfDistance::Value& v = values[2 * i + 1];
-      const double missed = std::max(missing(energy[i], v.energy, table_.largest_energy),
-                                     missing(force[i], v.force, table_.largest_force));
-      table_.error = std::isfinite(missed) ? std::max(table_.error, missed) : infinity;
-      if (table_.error <= wish_.error) good_from_ = table_.r[i];
+      const double missed =
+          std::max(missing(energy[i], v.energy, table_.usual_energy), missing(force[i], v.force, table_.usual_force));
+      if (missed <= wish_.error && table_.inner_error == 0.0) {
+        table_.error = std::max(table_.error, missed);
+        table_.good_from = table_.r[i];
+      } else {
+        table_.inner_error = std::isfinite(missed) ? std::max(table_.inner_error, missed) : infinity;
+      }
     }
   }
 

@@ -16,27 +16,29 @@ enum class TableOver : std::uint8_t { square, distance };
 /// What is wanted of a table.
 struct TableWish {
   TableOver over = TableOver::square;
-  double nearest = 0.0;   ///< [m] > 0, the least distance of two such particles now
-  double farthest = 0.0;  ///< [m] of a bond, the largest now
+  std::vector<double> distances;  ///< [m] of such pairs that there are now, at least one
   double to =
       0.0;  ///< [m] where it ends: of a pair its cutoff, of a bond 0: where its energy is far from what it is now
+  double error =
+      1e-6;  ///< of energy and force between its points, relative to the value there, or to the usual one now
+             ///< where that is more
   std::size_t points = 256;  ///< at least
   bool straight = false;     ///< by straight lines in any case
-  double error = 1e-6;  ///< of energy and force between its points, relative to the value there, or to the largest at
-                        ///< distances from `nearest` on where that is more
 };
 
 struct LawTable {
   bool spline = true;  ///< between the points by cubic splines of energy and force (of pairs force / r); else straight
-  std::vector<double> r;        ///< [m]
-  std::vector<double> energy;   ///< [J] 0 of a law without
-  std::vector<double> force;    ///< [N] pushes apart where positive
-  double slope_from = 0.0;      ///< [N/m] of the force at the first
-  double slope_to = 0.0;        ///< [N/m] and the last
-  double error = 0.0;           ///< the largest there is, see TableWish
-  double largest_energy = 0.0;  ///< [J] at distances that there are now
-  double largest_force = 0.0;   ///< [N] the same
-  double stiffness = 0.0;       ///< [N/m] the same, of what pulls back
+  std::vector<double> r;       ///< [m]
+  std::vector<double> energy;  ///< [J] 0 of a law without
+  std::vector<double> force;   ///< [N] pushes apart where positive
+  double slope_from = 0.0;     ///< [N/m] of the force at the first
+  double slope_to = 0.0;       ///< [N/m] and the last
+  double error = 0.0;          ///< the largest from `good_from` on, see TableWish
+  double good_from = 0.0;      ///< [m] the first, but of laws that do not vanish where particles meet
+  double inner_error = 0.0;    ///< before that; 0: it is the first
+  double usual_energy = 0.0;   ///< [J] mean size at the distances that there are now, or a hundredth more
+  double usual_force = 0.0;    ///< [N] the same
+  double stiffness = 0.0;      ///< [N/m] there, the largest, of what pulls back
 
   double from() const { return r.front(); }
   double to() const { return r.back(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -56,10 +57,11 @@ class SystemMaker {
     made_.attributes = attributes_read(world_);
     list_atoms();
     find_nearest();
-    for (InteractionId id : world_.interactions.ids())
-      if (world_.interactions[id].enabled) add(world_.interactions[id]);
     for (ConnectionId id : world_.connections.ids())
       if (world_.connections[id].enabled) note(world_.connections[id]);
+    settle_exclusions();
+    for (InteractionId id : world_.interactions.ids())
+      if (world_.interactions[id].enabled) add(world_.interactions[id]);
     add_bonds();
     for (FieldId id : world_.fields.ids())
       if (world_.fields[id].enabled) add(id);
@@ -73,15 +75,15 @@ class SystemMaker {
   /// Connections of one law and equal values.
   struct BondKind {
     const Connection* first = nullptr;
-    double shortest = infinity, longest = 0.0;  // [m]
+    std::vector<double> lengths;  // [m]
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
   };
 
   const World& world_;
   LammpsSystem made_;
-  std::vector<std::uint32_t> atom_of_;        // (slots of particles)
-  std::vector<std::vector<double>> nearest_;  // (types, types) [m]
-  double spacing_ = 0.0;                      // [m] no pair that was not found is nearer
+  std::vector<std::uint32_t> atom_of_;                                       // (slots of particles)
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> near_;  // of two types [m]
+  double spacing_ = 0.0;                                                     // [m] no pair that was not found is nearer
   std::map<const Law*, std::string> identities_;
   std::map<std::pair<std::string, Key>, std::size_t> pair_tables_;
   std::map<std::pair<std::string, Key>, BondKind> bond_kinds_;
@@ -162,7 +164,6 @@ class SystemMaker {
 
   /// The least distance between each two types, looked for as far as the mean distance.
   void find_nearest() {
-    nearest_.assign(made_.types.size(), std::vector<double>(made_.types.size(), infinity));
     std::vector<Vec3> positions;
     Bounds bounds;
     for (ParticleId id : made_.atoms) {
@@ -175,27 +176,26 @@ class SystemMaker {
     const double count = static_cast<double>(positions.size());
     for (int k = 0; k < 3; k++) volume *= std::max(size[k], longest / count);
     spacing_ = 1.3 * std::cbrt(volume / count);
+    made_.nearest = spacing_;
     each_near_pair(positions, box(), spacing_, [&](std::uint32_t a, std::uint32_t b) {
       if (!apart(a, b)) return;
       const auto i = static_cast<std::size_t>(made_.type_of[a] - 1), j = static_cast<std::size_t>(made_.type_of[b] - 1);
-      double& least = nearest_[std::min(i, j)][std::max(i, j)];
-      least = std::min(least, norm(box().nearest(positions[b] - positions[a])));
+      const double distance = norm(box().nearest(positions[b] - positions[a]));
+      near_[{std::min(i, j), std::max(i, j)}].push_back(distance);
+      made_.nearest = std::min(made_.nearest, distance);
     });
-    made_.nearest = spacing_;
-    for (const std::vector<double>& row : nearest_)
-      for (double least : row) made_.nearest = std::min(made_.nearest, least);
     require(made_.nearest > 0.0, "two particles are at one position; LAMMPS cannot have that where laws act");
   }
 
-  /// Of particles that an interaction acts on, as far as it was looked for.
-  double least_distance(const Interaction& row) const {
-    double least = spacing_;
-    for (std::size_t a = 0; a < made_.types.size(); a++)
-      for (std::size_t b = a; b < made_.types.size(); b++) {
-        const FamilyId i = made_.types[a].family, j = made_.types[b].family;
-        if ((i == row.a && j == row.b) || (i == row.b && j == row.a)) least = std::min(least, nearest_[a][b]);
-      }
-    return least;
+  /// Distances of particles that an interaction acts on, as far as they were looked for; at least one.
+  std::vector<double> distances(const Interaction& row) const {
+    std::vector<double> list;
+    for (const auto& [types, near] : near_) {
+      const FamilyId i = made_.types[types.first].family, j = made_.types[types.second].family;
+      if ((i == row.a && j == row.b) || (i == row.b && j == row.a)) list.insert(list.end(), near.begin(), near.end());
+    }
+    if (list.empty()) list.push_back(spacing_);
+    return list;
   }
 
   /// Laws that a script wrote alike twice are one.
@@ -214,24 +214,24 @@ class SystemMaker {
   }
 
   /// The table of a law between two types, the first of them what the law calls a.
-  std::size_t pair_table(const Interaction& row, std::size_t a, std::size_t b) {
+  std::size_t pair_table(const Interaction& row, const std::vector<double>& near, std::size_t a, std::size_t b) {
     const AtomType &first = made_.types[a], &second = made_.types[b];
     const auto value = [&](int who, const std::string& name) { return attribute_of(who == 0 ? first : second, name); };
     double cutoff = row.law->cutoff;
     if (row.law->touching) cutoff = std::min(cutoff, value(0, "radius") + value(1, "radius"));
-    const double nearest = std::min(least_distance(row), 0.9 * cutoff);
     Key key = row.parameters;
     for (const Input& input : inputs_of_law(*row.law))
       if (input.role == Role::attribute) key.push_back(merged(value(input.who, input.name)));
     key.push_back(cutoff);
-    key.push_back(nearest);
     const auto [at, is_new] = pair_tables_.try_emplace({identity(row.law), key}, made_.pair_tables.size());
     if (!is_new) return at->second;
     require(made_.pair_tables.size() < most_pair_tables, place_of(row), ": it needs more than ", most_pair_tables,
             " tables, one for each two kinds of particles; give", told_attributes(),
             " fewer values, as by rounding them");
     LawOfDistance law(place_of(row), *row.law, row.parameters, value);
-    TableWish wish{TableOver::square, nearest};
+    TableWish wish;
+    std::ranges::copy_if(near, std::back_inserter(wish.distances), [&](double r) { return r < 0.98 * cutoff; });
+    if (wish.distances.empty()) wish.distances.push_back(0.9 * cutoff);
     wish.to = cutoff;
     wish.error = made_.error;
     LawTable table = make_table(law, wish);
@@ -258,22 +258,69 @@ class SystemMaker {
   void add(const Interaction& row) {
     std::vector<PairCoefficient> list;
     std::set<std::pair<int, int>> taken;
+    const std::vector<double> near = distances(row);
     for (std::size_t a = 0; a < made_.types.size(); a++)
       for (std::size_t b = 0; b < made_.types.size(); b++) {
         if (made_.types[a].family != row.a || made_.types[b].family != row.b) continue;
         const int low = static_cast<int>(std::min(a, b)) + 1, high = static_cast<int>(std::max(a, b)) + 1;
-        if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, a, b)});
+        if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, near, a, b)});
       }
     if (list.empty()) return;
     const auto is_free = [&](const PairStyle& style) {
-      return style.exclude == row.law->exclude &&
-             std::ranges::none_of(style.coefficients, [&](const PairCoefficient& c) {
-               return taken.contains({c.a, c.b});
-             });
+      return std::ranges::none_of(style.coefficients, [&](const PairCoefficient& c) {
+        return taken.contains({c.a, c.b});
+      });
     };
     auto style = std::ranges::find_if(made_.pair_styles, is_free);
-    if (style == made_.pair_styles.end()) style = made_.pair_styles.insert(style, PairStyle{row.law->exclude, {}});
+    if (style == made_.pair_styles.end()) style = made_.pair_styles.insert(style, PairStyle{});
     style->coefficients.insert(style->coefficients.end(), list.begin(), list.end());
+  }
+
+  /// LAMMPS leaves the same pairs out of all laws. Those that leave out fewer may leave out as many where they act on none of
+  /// these.
+  void settle_exclusions() {
+    for (InteractionId id : world_.interactions.ids())
+      if (world_.interactions[id].enabled)
+        made_.exclude = std::max(made_.exclude, world_.interactions[id].law->exclude);
+    std::vector<std::vector<std::uint32_t>> bonded;
+    for (InteractionId id : world_.interactions.ids()) {
+      const Interaction& row = world_.interactions[id];
+      if (!row.enabled || row.law->exclude == made_.exclude) continue;
+      if (bonded.empty()) bonded = bonded_atoms();
+      for (std::uint32_t a = 0; a < bonded.size(); a++)
+        require(!acts_beyond(row, a, bonded), place_of(row), ": exclude = ", row.law->exclude, " here and ",
+                made_.exclude, " elsewhere, and LAMMPS leaves the same pairs out of all laws; give all the same");
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> bonded_atoms() const {
+    std::vector<std::vector<std::uint32_t>> list(made_.atoms.size());
+    for (const auto& [key, kind] : bond_kinds_)
+      for (const auto& [a, b] : kind.ends) {
+        list[a].push_back(b);
+        list[b].push_back(a);
+      }
+    return list;
+  }
+
+  FamilyId family_of(std::uint32_t atom) const { return world_.particles[made_.atoms[atom]].family; }
+
+  /// Whether a law acts between an atom and one that others would leave out.
+  bool acts_beyond(const Interaction& row, std::uint32_t atom,
+                   const std::vector<std::vector<std::uint32_t>>& bonded) const {
+    if (family_of(atom) != row.a) return false;
+    std::vector<std::uint32_t> reached = {atom};
+    std::size_t edge = 0;
+    for (int away = 1; away <= made_.exclude; away++) {
+      const std::size_t end = reached.size();
+      for (; edge < end; edge++)
+        for (std::uint32_t next : bonded[reached[edge]])
+          if (std::ranges::find(reached, next) == reached.end()) {
+            if (away > row.law->exclude && family_of(next) == row.b) return true;
+            reached.push_back(next);
+          }
+    }
+    return false;
   }
 
   const AtomType& type_at(ParticleId id) const {
@@ -290,8 +337,7 @@ class SystemMaker {
     if (!kind.first) kind.first = &row;
     const double length = norm(box().nearest(position(world_, row.particles[1]) - position(world_, row.particles[0])));
     require(length > 0.0, place_of(row), ": a connection of no length has no direction in LAMMPS");
-    kind.shortest = std::min(kind.shortest, length);
-    kind.longest = std::max(kind.longest, length);
+    kind.lengths.push_back(length);
     kind.ends.emplace_back(atom_of_[row.particles[0].slot - 1], atom_of_[row.particles[1].slot - 1]);
   }
 
@@ -324,7 +370,7 @@ class SystemMaker {
     for (const auto& [key, kind] : bond_kinds_) {
       const int type = static_cast<int>(std::distance(bond_kinds_.begin(), bond_kinds_.find(key))) + 1;
       for (const auto& [a, b] : kind.ends) made_.bonds.push_back({type, a, b});
-      made_.longest_bond = std::max(made_.longest_bond, kind.longest);
+      made_.longest_bond = std::max(made_.longest_bond, std::ranges::max(kind.lengths));
     }
   }
 
@@ -339,7 +385,7 @@ class SystemMaker {
     require(!std::isfinite(row.law->cutoff) || row.law->remade, place_of(row),
             ": a connection whose law ends at a cutoff is none that LAMMPS has; give it no cutoff");
     LawOfDistance law(place_of(row), *row.law, row.parameters, value_at(row));
-    TableWish wish{TableOver::distance, kind.shortest, kind.longest};
+    TableWish wish{TableOver::distance, kind.lengths};
     wish.points = points;
     wish.straight = straight;
     wish.error = made_.error;
@@ -414,12 +460,17 @@ class SystemMaker {
     } catch (const Error& error) { throw Error(text(place_of(row), ": LAMMPS has no such field: ", error.what())); }
   }
 
+  /// What sums of energies and forces come to, whatever their signs.
   void note_sizes() {
+    std::size_t near = 0;
+    for (const auto& [types, distances] : near_) near += distances.size();
+    double usual = 0.0;
+    for (const LammpsTable& t : made_.pair_tables) usual = std::max(usual, t.table.usual_energy);
+    made_.energy_size = usual * static_cast<double>(near);
+    for (const LammpsBond& bond : made_.bonds)
+      made_.energy_size += made_.bond_tables[static_cast<std::size_t>(bond.type) - 1].table.usual_energy;
     for (const auto* list : {&made_.pair_tables, &made_.bond_tables})
-      for (const LammpsTable& t : *list) {
-        made_.largest_force = std::max(made_.largest_force, t.table.largest_force);
-        made_.largest_energy = std::max(made_.largest_energy, t.table.largest_energy);
-      }
+      for (const LammpsTable& t : *list) made_.usual_force = std::max(made_.usual_force, t.table.usual_force);
   }
 };
 

@@ -36,7 +36,6 @@ struct PairCoefficient {
 
 /// Interactions that LAMMPS takes together: each two types have at most one table.
 struct PairStyle {
-  int exclude = 0;  ///< connections within which pairs are left out, 0 to 3
   std::vector<PairCoefficient> coefficients;
 };
 
@@ -68,15 +67,16 @@ struct LammpsSystem {
   std::vector<BodyId> bodies;          ///< of two points or more
   std::vector<LammpsTable> pair_tables, bond_tables;
   std::vector<PairStyle> pair_styles;
+  int exclude = 0;  ///< connections within which pairs are left out, 0 to 3
   std::vector<LammpsBond> bonds;
   std::vector<LammpsField> fields;
   std::vector<LammpsBath> baths;
-  double nearest = 0.0;         ///< [m] least distance of atoms that interact
-  double longest_bond = 0.0;    ///< [m] now
-  double body_extent = 0.0;     ///< [m] the largest distance of two points of one body
-  double error = 1e-6;          ///< of the tables
-  double largest_force = 0.0;   ///< [N] of the tables at distances that there are
-  double largest_energy = 0.0;  ///< [J] the same
+  double nearest = 0.0;       ///< [m] least distance of atoms that interact
+  double longest_bond = 0.0;  ///< [m] now
+  double body_extent = 0.0;   ///< [m] the largest distance of two points of one body
+  double error = 1e-6;        ///< of the tables
+  double usual_force = 0.0;   ///< [N] of a pair or bond now, of the law where it is largest
+  double energy_size = 0.0;   ///< [J] sum of the energies of near pairs and bonds, whatever their signs
 };
 
 /// What LAMMPS is given of the present state, with tables of a wanted error. Throws Error for what it cannot be given.
