@@ -53,9 +53,9 @@ TEST_CASE("formula: each function means the same to its reader") {
   const Expr x = g.input(of_x), y = g.input(of_y), two = g.constant(2.0);
   std::vector<Expr> list = {g.sum(-1.5, {{x, -0.25}, {y, 3.0}}), g.multiply(g.power(x, -2.0), g.square_root(y)),
                             g.apply(Function::power, x, y), g.divide(g.constant(1.0), g.add(x, y))};
-  for (Function f : {Function::exp, Function::log, Function::sin, Function::cos, Function::tan, Function::asin,
-                     Function::acos, Function::atan, Function::sinh, Function::cosh, Function::tanh, Function::abs,
-                     Function::floor})
+  for (Function f :
+       {Function::exp, Function::log, Function::sin, Function::cos, Function::tan, Function::asin, Function::acos,
+        Function::atan, Function::sinh, Function::cosh, Function::tanh, Function::abs, Function::floor})
     list.push_back(g.apply(f, g.scale(x, 0.5)));
   for (Function f : {Function::atan2, Function::minimum, Function::maximum, Function::less, Function::less_or_equal}) {
     list.push_back(g.apply(f, x, y));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/bounds.hpp"
 #include "player/output.hpp"
@@ -28,7 +29,7 @@ class Text {
   Text& operator<<(std::uint32_t x) { return number(x); }
   Text& operator<<(int x) { return number(x); }
   void reserve(std::size_t bytes) { text_.reserve(bytes); }
-  const std::string& str() const { return text_; }
+  std::string take() { return std::move(text_); }
 
  private:
   std::string text_;
@@ -102,7 +103,7 @@ std::string data_text(const World& world, const LammpsSystem& system, const std:
     const LammpsBond& bond = system.bonds[i];
     out << static_cast<std::uint64_t>(i + 1) << " " << bond.type << " " << bond.a + 1 << " " << bond.b + 1 << "\n";
   }
-  return out.str();
+  return out.take();
 }
 
 std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
@@ -121,7 +122,7 @@ std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
       out << static_cast<std::uint64_t>(i + 1) << " " << table.r[i] << " " << table.energy[i] << " " << table.force[i]
           << "\n";
   }
-  return out.str();
+  return out.take();
 }
 
 /// Pairs whose tables are of one way and one number of points; of formulas all of a style.

@@ -202,8 +202,10 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   const std::string folder = options.folder.empty() ? fs::path(out).replace_extension("").string() : options.folder;
   const int ranks =
       options.ranks > 0 ? options.ranks : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const LmpVersion version = check_lmp(ranks);
   Given given = give(options, scene);
-  const LmpVersion version = check_lmp(!given.system.bodies.empty(), !given.system.bonds.empty());
+  if (!given.system.bodies.empty()) require_package(version, "RIGID");
+  if (!given.system.bonds.empty()) require_package(version, "MOLECULE");
   World& world = given.scene->world();
   write_lammps(folder, world, given.system, given.task);
   remove_dumps(folder);

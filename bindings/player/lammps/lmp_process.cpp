@@ -125,7 +125,7 @@ int month_number(const std::string& month) {
 std::optional<LmpVersion> version_in(const std::string& line) {
   const std::size_t at = line.find("Simulator - ");
   if (at == std::string::npos) return {};
-  LmpVersion version{line.substr(at + 12), 0};
+  LmpVersion version{line.substr(at + 12), 0, ""};
   std::istringstream words(version.name);
   int day = 0, year = 0;
   std::string month;
@@ -187,22 +187,30 @@ std::string what_went_wrong(int status, int ranks, const LastLines& lines) {
   return text("it ended with exit code ", WEXITSTATUS(status), last.empty() ? "" : ", and said last: " + last);
 }
 
+/// Whether mpirun starts so many processes is known before the scene is opened.
+void check_mpirun(int ranks) {
+  if (ranks == 1) return;
+  require(is_there("mpirun"),
+          "mpirun is not there, and more than one rank needs it; install Debian's package openmpi-bin");
+  LastLines lines;
+  Child child({"mpirun", "-np", text(ranks), "true"}, "");
+  if (!child.read([&](const std::string& line) { lines.add(line); })) throw Interrupted("stopped");
+  const int status = child.end();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Error(what_went_wrong(status, ranks, lines));
+}
+
 }  // namespace
 
-LmpVersion check_lmp(bool needs_rigid, bool needs_bonds) {
+LmpVersion check_lmp(int ranks) {
   require(is_there("lmp"), "LAMMPS is not there: no program `lmp` is found; install Debian's package lammps");
   std::optional<LmpVersion> version;
-  std::string packages;
   bool in_packages = false;
   Child child({"lmp", "-h"}, "");
   const bool whole = child.read([&](const std::string& line) {
     if (!version) version = version_in(line);
-    if (line.starts_with("Installed packages"))
-      in_packages = true;
-    else if (line.starts_with("List of"))
-      in_packages = false;
-    else if (in_packages)
-      packages += " " + line + " ";
+    if (line.starts_with("Installed packages")) in_packages = true;
+    if (line.starts_with("List of")) in_packages = false;
+    if (in_packages && version) version->packages += " " + line + " ";
   });
   child.end();
   if (!whole) throw Interrupted("stopped");
@@ -210,14 +218,14 @@ LmpVersion check_lmp(bool needs_rigid, bool needs_bonds) {
           "`lmp -h` does not tell its version as LAMMPS does: is another program called lmp?");
   require(version->date >= least_date, "lmp is LAMMPS of ", version->name,
           ", and 29 Sep 2021 or newer is needed; install Debian 12's package lammps");
-  const auto needed = [&](bool needs, const char* package) {
-    require(!needs || packages.find(text(' ', package, ' ')) != std::string::npos,
-            "this lmp was built without its package ", package,
-            ", which the scene needs; Debian's package lammps has it");
-  };
-  needed(needs_rigid, "RIGID");
-  needed(needs_bonds, "MOLECULE");
+  check_mpirun(ranks);
   return *version;
+}
+
+void require_package(const LmpVersion& version, const char* package) {
+  require(version.packages.find(text(' ', package, ' ')) != std::string::npos,
+          "this lmp was built without its package ", package,
+          ", which the scene needs; Debian's package lammps has it");
 }
 
 void run_lmp(const std::string& folder, int ranks, const std::function<void(const std::string&)>& tell) {

@@ -6,12 +6,16 @@
 
 namespace pantin::player {
 
-/// What `lmp` there is. Throws Error, with what to install, where there is none, it is too old, or has not what is needed.
+/// What `lmp` there is.
 struct LmpVersion {
-  std::string name;  ///< "29 Sep 2021 - Update 2"
-  int date = 0;      ///< 20210929
+  std::string name;      ///< "29 Sep 2021 - Update 2"
+  int date = 0;          ///< 20210929
+  std::string packages;  ///< that it was built with, each between spaces
 };
-LmpVersion check_lmp(bool needs_rigid, bool needs_bonds);
+/// Throws Error, with what to install, where there is none or it is too old, and where mpirun does not start so many processes.
+LmpVersion check_lmp(int ranks);
+/// Throws Error where it was built without a package that is needed.
+void require_package(const LmpVersion& version, const char* package);
 
 /// Runs in.scene of a folder on some processes, by mpirun where these are more than one. `tell` is called with each line that
 /// LAMMPS prints. Throws Error with what went wrong, and where its log is; Interrupted where Ctrl-C came.

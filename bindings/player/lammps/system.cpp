@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/bounds.hpp"
+#include "base/near_positions.hpp"
 #include "forces/forces.hpp"
 #include "measure/measure.hpp"
-#include "measure/near_pairs.hpp"
 #include "player/lammps/formula.hpp"
 #include "player/lammps/refused.hpp"
 
@@ -18,6 +18,7 @@ namespace pantin::player {
 namespace {
 
 constexpr std::size_t most_types = 300, most_pair_tables = 1000, most_bond_tables = 500, most_fields = 30;
+constexpr std::size_t most_looked_at = 100000;
 constexpr std::size_t most_bond_points = std::size_t{1} << 23;
 
 std::vector<Input> inputs_of_law(const Law& law) {
@@ -56,7 +57,7 @@ class SystemMaker {
   LammpsSystem make() {
     made_.attributes = attributes_read(world_);
     list_atoms();
-    find_nearest();
+    find_near();
     for (ConnectionId id : world_.connections.ids())
       if (world_.connections[id].enabled) note(world_.connections[id]);
     settle_exclusions();
@@ -84,6 +85,7 @@ class SystemMaker {
   std::vector<std::uint32_t> atom_of_;                                       // (slots of particles)
   std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> near_;  // of two types [m]
   double spacing_ = 0.0;                                                     // [m] no pair that was not found is nearer
+  double near_pairs_ = 0.0;                                                  // how many are as near as that
   std::map<const Law*, std::string> identities_;
   std::map<std::pair<std::string, Key>, std::size_t> pair_tables_;
   std::map<std::pair<std::string, Key>, BondKind> bond_kinds_;
@@ -162,12 +164,12 @@ class SystemMaker {
     return made_.body_of[a] == 0 || made_.body_of[a] != made_.body_of[b];
   }
 
-  /// The least distance between each two types, looked for as far as the mean distance.
-  void find_nearest() {
+  /// How far each two types are from each other, looked for as far as the mean distance around some of the particles.
+  void find_near() {
     std::vector<Vec3> positions;
     Bounds bounds;
     for (ParticleId id : made_.atoms) {
-      positions.push_back(position(world_, id));
+      positions.push_back(box().wrapped(position(world_, id)));
       bounds.add(positions.back());
     }
     const Vec3 size = world_.settings.box.value_or(bounds.high - bounds.low);
@@ -175,16 +177,38 @@ class SystemMaker {
     if (longest == 0.0) longest = 1.0;
     const double count = static_cast<double>(positions.size());
     for (int k = 0; k < 3; k++) volume *= std::max(size[k], longest / count);
-    spacing_ = 1.3 * std::cbrt(volume / count);
-    made_.nearest = spacing_;
-    each_near_pair(positions, box(), spacing_, [&](std::uint32_t a, std::uint32_t b) {
-      if (!apart(a, b)) return;
-      const auto i = static_cast<std::size_t>(made_.type_of[a] - 1), j = static_cast<std::size_t>(made_.type_of[b] - 1);
-      const double distance = norm(box().nearest(positions[b] - positions[a]));
-      near_[{std::min(i, j), std::max(i, j)}].push_back(distance);
-      made_.nearest = std::min(made_.nearest, distance);
-    });
-    require(made_.nearest > 0.0, "two particles are at one position; LAMMPS cannot have that where laws act");
+    made_.nearest = spacing_ = 1.3 * std::cbrt(volume / count);
+    const NearPositions grid(positions, spacing_);
+    const std::size_t stride = std::max<std::size_t>(1, positions.size() / most_looked_at);
+    std::size_t looked_at = 0, found = 0;
+    for (std::uint32_t a = 0; a < positions.size(); a += static_cast<std::uint32_t>(stride), looked_at++)
+      each_image(positions[a], [&](Vec3 image) {
+        grid.each(image, [&](std::uint32_t b) {
+          if (a == b || !apart(a, b)) return;
+          note_near(a, b, norm(positions[b] - image));
+          found++;
+        });
+      });
+    near_pairs_ = 0.5 * count * static_cast<double>(found) / static_cast<double>(looked_at);
+  }
+
+  void note_near(std::uint32_t a, std::uint32_t b, double distance) {
+    require(distance > 0.0, describe(world_, made_.atoms[a]), " and ", describe(world_, made_.atoms[b]),
+            " are at one position; LAMMPS cannot have that");
+    const auto i = static_cast<std::size_t>(made_.type_of[a] - 1), j = static_cast<std::size_t>(made_.type_of[b] - 1);
+    near_[{std::min(i, j), std::max(i, j)}].push_back(distance);
+    made_.nearest = std::min(made_.nearest, distance);
+  }
+
+  /// Calls `visit` with the images of a position of the box from which something in it may be near.
+  template <class Visit>
+  void each_image(Vec3 x, Visit visit) const {
+    const Vec3 edge = box().edge;
+    const auto first = [&](int k) { return edge[k] > 0.0 && x[k] >= edge[k] - spacing_ ? -1 : 0; };
+    const auto last = [&](int k) { return edge[k] > 0.0 && x[k] <= spacing_ ? 1 : 0; };
+    for (int i = first(0); i <= last(0); i++)
+      for (int j = first(1); j <= last(1); j++)
+        for (int k = first(2); k <= last(2); k++) visit(x + vec(i * edge[0], j * edge[1], k * edge[2]));
   }
 
   /// Distances of particles that an interaction acts on, as far as they were looked for; at least one.
@@ -462,11 +486,9 @@ class SystemMaker {
 
   /// What sums of energies and forces come to, whatever their signs.
   void note_sizes() {
-    std::size_t near = 0;
-    for (const auto& [types, distances] : near_) near += distances.size();
     double usual = 0.0;
     for (const LammpsTable& t : made_.pair_tables) usual = std::max(usual, t.table.usual_energy);
-    made_.energy_size = usual * static_cast<double>(near);
+    made_.energy_size = usual * near_pairs_;
     for (const LammpsBond& bond : made_.bonds)
       made_.energy_size += made_.bond_tables[static_cast<std::size_t>(bond.type) - 1].table.usual_energy;
     for (const auto* list : {&made_.pair_tables, &made_.bond_tables})
