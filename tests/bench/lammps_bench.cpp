@@ -1,4 +1,4 @@
-// `pantin bench lammps`: a melt that is exported, run by `lmp` on two ranks, and by two threads of our own.
+// `pantin bench lmp`: a melt that is exported, run by `lmp` on two ranks, and by two threads of our own.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -71,8 +71,9 @@ void bench_lammps(const player::BenchOptions& options) {
   scene_options.memory_limit = std::size_t{16} << 30;
   if (!options.arguments.empty()) scene_options.set["cells"] = options.arguments[0];
   const double clock = now(2), processors = processor_time();
-  const std::string files = folder / "files";
-  player::export_lammps({files}, {folder / "melt.lua", scene_options, 1.0});
+  player::LammpsOptions lammps;
+  const std::string files = lammps.folder = folder / "files";
+  player::export_lammps(lammps, {folder / "melt.lua", scene_options, 1.0});
   std::printf("opened and exported: %.1f s by the clock, %.1f s of processors\n\n", now(2) - clock,
               processor_time() - processors);
   const auto scene = lua::open_scene(folder / "melt.lua", scene_options);
@@ -85,7 +86,7 @@ void bench_lammps(const player::BenchOptions& options) {
 }
 
 const player::Register lammps_benchmark(
-    {"lammps", "a melt of 1,000,188 atoms by lmp on 2 ranks and by 2 threads here; argument: cells along an edge [63]",
+    {"lmp", "a melt of 1,000,188 atoms by lmp on 2 ranks and by 2 threads here; argument: cells along an edge [63]",
      bench_lammps});
 
 }  // namespace

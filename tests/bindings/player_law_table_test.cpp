@@ -60,8 +60,8 @@ TEST_CASE("law table: a smooth law takes splines, and a wish of half the error s
   CHECK(rough.spline);
   CHECK(rough.error <= 1e-4);
   CHECK(fine.error <= 1e-8);
-  CHECK(rough.r.size() <= 512);
-  CHECK(fine.r.size() <= 8192);
+  CHECK(rough.r.size() <= 1024);
+  CHECK(fine.r.size() <= 16384);
   CHECK(fine.to() == 2.5);
   CHECK(fine.energy.back() == Approx(0.0).margin(1e-10));  // shifted
   const double s6 = std::pow(2.5, -6.0);
@@ -111,7 +111,7 @@ TEST_CASE("law table: a bond reaches from far less to far more than it is long")
 TEST_CASE("law table: a jump is refused, with the law's name") {
   Expressions g;
   const Expr q = g.input({Role::distance2, 0, 0, {}});
-  const Expr jump = g.select(g.apply(Function::less, q, g.constant(2.0)), g.constant(1.0), g.scale(q, 0.5));
+  const Expr jump = g.select(g.apply(Function::less, q, g.constant(2.0)), g.constant(1.0), g.scale(q, 0.75));
   LawDef def;
   def.name = "scene.lua:3";
   def.cutoff = 2.0;
