@@ -249,7 +249,7 @@ void add_for_lammps(CLI::App& command, LammpsOptions& lammps, RunOptions& scene,
       .add_option(
           "--error", lammps.error,
           "Of the tables that LAMMPS gets of the laws: of energy and force, relative to what they are there or, where "
-                  "that is more, to what is usual now")
+          "that is more, to what is usual now")
       ->check(check_error)
       ->default_str("1e-6")
       ->type_name("E");

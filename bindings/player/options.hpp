@@ -48,7 +48,22 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, fuzz, soak, sweep, plot, lammps, export_scene, bench, meta };
+  enum class Command {
+    none,
+    play,
+    run,
+    replay,
+    report,
+    test,
+    fuzz,
+    soak,
+    sweep,
+    plot,
+    lammps,
+    export_scene,
+    bench,
+    meta
+  };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments

@@ -273,7 +273,8 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
               " bin\nneigh_modify every 1 delay 0 check yes one 10000 page 1000000\ncomm_modify cutoff ", ghosts, "\n");
   if (!system.bodies.empty()) out += "group bodies molecule > 0\nneigh_modify exclude molecule/intra bodies\n";
   out += text("timestep ", world.settings.step, "\nthermo_style custom step pe ke etotal temp\n",
-              "thermo_modify norm no flush yes format float %.15g\n\n");
+              "thermo_modify norm no flush yes format float %.15g\n",
+              system.atoms.size() == 1 ? "compute_modify thermo_temp extra/dof 0\n" : "", "\n");
   out += fields_text(system);
   out +=
       "\n# Forces and energy of the laws at the beginning.\nrun 0\nprint \"pantin: energy $(pe:%.17g)\"\n"

@@ -19,6 +19,7 @@
 #include "player/lammps/lmp_process.hpp"
 #include "player/lammps/refused.hpp"
 #include "player/message.hpp"
+#include "player/output.hpp"
 #include "player/progress.hpp"
 #include "player/run.hpp"
 #include "player/saved_state.hpp"
@@ -118,6 +119,8 @@ class Check {
             " was promised: nothing is brought back");
     require(energy_error_ <= limit, "LAMMPS has an energy of ", energy, " J at the beginning and this program ",
             given_.forces.energy, " J, and to agree to ", system.error, " was promised: nothing is brought back");
+    std::error_code kept;
+    fs::remove(fs::path(folder) / "start.dump", kept);
     done_ = true;
   }
 
@@ -207,6 +210,8 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   if (!given.system.bodies.empty()) require_package(version, "RIGID");
   if (!given.system.bonds.empty()) require_package(version, "MOLECULE");
   World& world = given.scene->world();
+  Output(out).drop();          // whether it can be written,
+  (void)given.scene->state();  // and be kept in a file, is known before hours are spent
   write_lammps(folder, world, given.system, given.task);
   remove_dumps(folder);
   for (const std::string& note : given.task.notes) say(note);
