@@ -234,6 +234,7 @@ class SystemMaker {
       if (law->energy != no_expression)
         at->second += " " + formula(law->graph, law->energy, FormulaFor::lepton, name_of);
     } catch (const Error&) { at->second = text("law ", identities_.size()); }
+    for (const Parameter& p : law->parameters) at->second += " " + p.name;
     return at->second;
   }
 
