@@ -167,6 +167,7 @@ std::string remedy_for(const std::string& error) {
       {"Bond atoms", "; a bond became longer than what processes tell each other: the step is too long"},
       {"Lost atoms", "; particles flew away: the step is too long"},
       {"out of range", "; particles flew away: the step is too long"},
+      {"Too many", "; particles are too far apart for its cells: take away what flew off, or give the scene a box"},
       {"Unknown", "; this lmp was built without it: Debian's package lammps has it"},
       {"Unrecognized", "; this lmp was built without it: Debian's package lammps has it"}};
   for (const auto& [part, remedy] : known)
