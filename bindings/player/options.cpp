@@ -9,6 +9,7 @@
 #include <iostream>
 #include <utility>
 
+#include "player/lammps/lammps.hpp"
 #include "player/manual.hpp"
 #include "player/saved_state.hpp"
 #include "scene/errors.hpp"
@@ -230,6 +231,58 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
   command->add_option("--out", plot.out, "The picture")->required()->check(check_svg)->type_name("FILE.svg");
 }
 
+std::string check_state(const std::string& path) {
+  return path.ends_with(state_ending) ? "" : text("'", path, "' must end in ", state_ending);
+}
+
+std::string check_error(const std::string& value) {
+  double x = 0.0;
+  auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
+  if (error == std::errc{} && end == value.data() + value.size() && x >= 1e-10 && x <= 0.1) return "";
+  return text("'", value, "' must be a number from 1e-10 to 0.1");
+}
+
+/// What `export` and `lammps` share.
+void add_for_lammps(CLI::App& command, LammpsOptions& lammps, RunOptions& scene, Texts& texts) {
+  command.add_option("scene", scene.scene, "A scene's file, the name of a shipped one, or a state (.pantin)")
+      ->required();
+  command
+      .add_option(
+          "--error", lammps.error,
+          "Of the tables that LAMMPS gets of the laws: of energy and force, relative to what they are there or, where "
+          "that is more, to what is usual now")
+      ->check(check_error)
+      ->default_str("1e-6")
+      ->type_name("E");
+  add_settings(command, texts);
+  add_limits(command, scene, texts);
+  add_threads(command, scene);
+}
+
+/// `pantin export`, `pantin lammps`.
+void add_lammps(CLI::App& app, LammpsOptions& lammps, RunOptions& scene, Texts& texts) {
+  CLI::App* files = app.add_subcommand(
+      "export",
+      "Writes a scene of particles, springs and rigid bodies as LAMMPS runs it, on any machine: lmp -in in.scene");
+  files->add_option("--lammps", lammps.folder, "Folder for in.scene, scene.data and tables of the laws")
+      ->required()
+      ->type_name("FOLDER");
+  add_for_lammps(*files, lammps, scene, texts);
+  CLI::App* runs = app.add_subcommand("lammps",
+                                      "Has LAMMPS (Debian's packages lammps and openmpi-bin) run a scene, checks that "
+                                      "it has the same forces at the start, and "
+                                      "saves where all is at the end, for `pantin play STATE`");
+  runs->add_option("--ranks", lammps.ranks, "Processes; 0: one for each processor")
+      ->check(CLI::Range(0, 100000))
+      ->type_name("N");
+  runs->add_option("--out", lammps.out, "The state at the end [the scene's name and -lammps.pantin]")
+      ->check(check_state)
+      ->type_name("FILE.pantin");
+  runs->add_option("--folder", lammps.folder, "Folder for LAMMPS' files and log [the state's name without its ending]")
+      ->type_name("FOLDER");
+  add_for_lammps(*runs, lammps, scene, texts);
+}
+
 /// A film is written by another program.
 void check_untrusted(const RunOptions& run) {
   for (const std::string& path : run.outputs)
@@ -309,6 +362,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
   add_soak(*test, options.soak);
   add_sweep(app, options.sweep, options.run, texts);
   add_plot(app, options.plot);
+  add_lammps(app, options.lammps, options.run, texts);
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
@@ -320,10 +374,19 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
 
 Options::Command command_of(const CLI::App& app) {
   using Command = Options::Command;
-  constexpr std::pair<const char*, Command> commands[] = {
-      {"play", Command::play}, {"run", Command::run},     {"replay", Command::replay}, {"report", Command::report},
-      {"test", Command::test}, {"fuzz", Command::fuzz},   {"soak", Command::soak},     {"sweep", Command::sweep},
-      {"plot", Command::plot}, {"bench", Command::bench}, {"meta", Command::meta}};
+  constexpr std::pair<const char*, Command> commands[] = {{"play", Command::play},
+                                                          {"run", Command::run},
+                                                          {"replay", Command::replay},
+                                                          {"report", Command::report},
+                                                          {"test", Command::test},
+                                                          {"fuzz", Command::fuzz},
+                                                          {"soak", Command::soak},
+                                                          {"sweep", Command::sweep},
+                                                          {"plot", Command::plot},
+                                                          {"lammps", Command::lammps},
+                                                          {"export", Command::export_scene},
+                                                          {"bench", Command::bench},
+                                                          {"meta", Command::meta}};
   const CLI::App* used = app.get_subcommands().front();
   if (!used->get_subcommands().empty()) used = used->get_subcommands().front();
   for (const auto& [name, command] : commands)
@@ -333,7 +396,8 @@ Options::Command command_of(const CLI::App& app) {
 
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw UsageError(what + ": give play, run, replay, report, sweep, plot, test or bench (pantin --help tells more)");
+  throw UsageError(
+      what + ": give play, run, replay, report, sweep, plot, export, lammps, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "player/fuzz.hpp"
+#include "player/lammps/lammps.hpp"
 #include "player/plot_table.hpp"
 #include "player/soak.hpp"
 #include "player/sweep/sweep.hpp"
@@ -47,7 +48,22 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, replay, report, test, fuzz, soak, sweep, plot, bench, meta };
+  enum class Command {
+    none,
+    play,
+    run,
+    replay,
+    report,
+    test,
+    fuzz,
+    soak,
+    sweep,
+    plot,
+    lammps,
+    export_scene,
+    bench,
+    meta
+  };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
@@ -56,6 +72,7 @@ struct Options {
   SoakOptions soak;
   SweepOptions sweep;
   PlotOptions plot;
+  LammpsOptions lammps;
   std::string prefix;  ///< of the files that `report` writes; empty: after the scene
 };
 

@@ -17,6 +17,7 @@
 #include "lua/meta/reference.hpp"
 #include "player/bench.hpp"
 #include "player/home.hpp"
+#include "player/lammps/lammps.hpp"
 #include "player/message.hpp"
 #include "player/options.hpp"
 #include "player/play.hpp"
@@ -39,6 +40,10 @@ std::string meta(const std::string& what) {
   return lua::annotations();
 }
 
+LammpsScene lammps_scene(const RunOptions& run, const std::string& home) {
+  return {find_scene(run.scene, home), scene_options(run, home), run.until};
+}
+
 int do_command(const Options& options) {
   switch (options.command) {
     case Options::Command::none: return 0;
@@ -51,6 +56,8 @@ int do_command(const Options& options) {
     case Options::Command::soak: return soak(options.soak, find_home());
     case Options::Command::sweep: return sweep(options.sweep, find_home());
     case Options::Command::plot: return plot_table(options.plot);
+    case Options::Command::lammps: return run_lammps(options.lammps, lammps_scene(options.run, find_home()));
+    case Options::Command::export_scene: return export_lammps(options.lammps, lammps_scene(options.run, find_home()));
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta: std::cout << meta(options.arguments.empty() ? "" : options.arguments[0]); return 0;
   }

@@ -58,6 +58,7 @@ class Scene {
   virtual bool set_parameter(const std::string& name, const SceneValue& value) = 0;
   virtual std::vector<std::string> keys() const = 0;                ///< that the script asked for by their names
   virtual std::vector<std::string> controls() const { return {}; }  ///< of keys and gamepads, that the script has read
+  virtual std::vector<std::string> behaviours() const { return {}; }  ///< where the script has what acts in each step
   virtual const std::vector<std::string>& buttons() const = 0;  ///< names; press one by a Command of the world's input
   virtual const std::map<std::string, SceneValue>& results() const = 0;
   virtual const std::vector<Drawing>& drawings() const = 0;         ///< what the script drew in the last step

@@ -188,6 +188,12 @@ std::string bad_force(const World& world);
 
 /// Energy of all laws in the present state, [J].
 double law_energy(const World& world);
+/// What laws that read no velocities give in the present state.
+struct PresentForces {
+  double energy = 0.0;   ///< [J]
+  std::vector<Vec3> on;  ///< (slots of particles) [N]
+};
+PresentForces present_forces(const World& world);
 /// Of one; none where its law has no energy, or does not act.
 std::optional<double> law_energy(const World& world, const ForceElementId& id);
 /// Tension of a connection in the last step [N], positive where it pulls; 0 of three or four particles.

@@ -44,6 +44,21 @@ double law_energy(const World& world) {
   return with_present_laws(world, [&](Forces& f) { return run_laws(world, f, present(world), true); });
 }
 
+PresentForces present_forces(const World& world) {
+  PresentForces all = with_present_laws(world, [&](Forces& f) {
+    PresentForces found;
+    found.energy = run_still_laws(world, f, present(world), true);
+    keep_in_plane(world.plane, f.sites);
+    found.on.resize(world.particles.slots(), zero3());
+    for (std::size_t i = 0; i < f.sites.n; i++)
+      if (f.sites.particle[i] != Forces::none)
+        found.on[f.sites.particle[i]] = f.sites.force[i] + f.sites.nonconservative_force[i];
+    return found;
+  });
+  all.on.resize(world.particles.slots(), zero3());
+  return all;
+}
+
 namespace {
 
 /// One connection by itself.

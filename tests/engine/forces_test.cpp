@@ -293,3 +293,29 @@ TEST_CASE("forces: a law that reads what a particle has not is refused by name")
   step(world);
   CHECK(world.failure.find("scene.lua:9: it reads 'charge', which particle") == 0);
 }
+
+TEST_CASE("forces: the present ones are told at any time, before the first step too, and change nothing") {
+  World world;
+  world.settings.gravity = zero3();
+  ParticleDef def;
+  const ParticleId a = add_particle(world, def);
+  def.at = vec(0.5, 0, 0);
+  const ParticleId b = add_particle(world, def);
+  def.at = vec(5, 0, 0);
+  const ParticleId alone = add_particle(world, def);
+  ConnectionDef tie;
+  tie.ends = {{a}, {b}};
+  add_connection(world, spring(8.0, 1.0), tie);
+  const auto check = [&](double length) {
+    const std::uint64_t before = state_hash(world);
+    const PresentForces now = present_forces(world);
+    CHECK(now.energy == Approx(4.0 * (length - 1.0) * (length - 1.0)));
+    CHECK(now.on[a.slot - 1][0] == Approx(8.0 * (length - 1.0)));
+    CHECK(same(now.on[b.slot - 1], now.on[a.slot - 1] * -1.0));
+    CHECK(same(now.on[alone.slot - 1], zero3()));
+    CHECK(state_hash(world) == before);
+  };
+  check(0.5);
+  for (int i = 0; i < 10; i++) step(world);
+  check(norm(position(world, b) - position(world, a)));
+}

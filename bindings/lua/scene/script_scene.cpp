@@ -50,6 +50,13 @@ std::vector<std::string> ScriptScene::keys() const {
   return keys;
 }
 
+std::vector<std::string> ScriptScene::behaviours() const {
+  std::vector<std::string> places;
+  for (const Subscription& s : script_.subscriptions)
+    if (s.function && s.name == "step") places.push_back(s.function->place());
+  return places;
+}
+
 std::shared_ptr<const SceneSnapshot> ScriptScene::take_snapshot() { return lua::take_snapshot(script_); }
 
 void ScriptScene::restore(const SceneSnapshot& snapshot) {

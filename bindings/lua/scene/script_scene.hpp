@@ -27,6 +27,7 @@ class ScriptScene final : public Scene {
   bool set_parameter(const std::string& name, const SceneValue& value) override;
   std::vector<std::string> keys() const override;
   std::vector<std::string> controls() const override { return {script_.controls.begin(), script_.controls.end()}; }
+  std::vector<std::string> behaviours() const override;
   std::span<const SoundCall> sounds() const override { return script_.sounds; }
   std::string take_next() override { return std::exchange(script_.next, ""); }
   const std::vector<std::string>& buttons() const override { return script_.buttons; }

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "player/lammps/system.hpp"
+#include "scene/scene.hpp"
+
+namespace pantin::player {
+
+/// What LAMMPS is to do of a scene.
+struct LammpsTask {
+  std::string name;  ///< of the scene
+  std::uint64_t steps = 0;
+  std::uint64_t every = 1;         ///< steps from line to line
+  double law_energy = 0.0;         ///< [J] of all laws here, at the beginning
+  std::vector<std::string> notes;  ///< what is done otherwise than here, a sentence each
+};
+
+/// Writes a system as files that `lmp -in in.scene` reads in their folder: in.scene, scene.data, pair.table, bond.table,
+/// laws.tables, laws.lepton. Makes the folder; throws UsageError where it holds something else.
+void write_lammps(const std::string& folder, const World& world, const LammpsSystem& system, const LammpsTask& task);
+
+}  // namespace pantin::player

@@ -1,0 +1,238 @@
+#include "player/lammps/lammps.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "lua/scene/open.hpp"
+#include "player/home.hpp"
+#include "player/interrupt.hpp"
+#include "player/lammps/dump.hpp"
+#include "player/lammps/folder.hpp"
+#include "player/lammps/lmp_process.hpp"
+#include "player/lammps/refused.hpp"
+#include "player/message.hpp"
+#include "player/output.hpp"
+#include "player/progress.hpp"
+#include "player/run.hpp"
+#include "player/saved_state.hpp"
+#include "scene/errors.hpp"
+
+namespace fs = std::filesystem;
+
+namespace pantin::player {
+namespace {
+
+constexpr double most_steps = 2e9;  // LAMMPS counts those of one run in 32 bits
+
+std::unique_ptr<Scene> open(const LammpsScene& scene) {
+  if (scene.path.ends_with(state_ending)) return open_saved(scene.path, "", scene.options);
+  return lua::open_scene(scene.path, scene.options);
+}
+
+/// What LAMMPS does otherwise than this program.
+std::vector<std::string> notes_of(const Scene& scene, const LammpsSystem& system) {
+  const World& world = scene.world();
+  std::vector<std::string> notes = {"steps are those of velocity Verlet"};
+  if (world.settings.integrator != Integrator::verlet || world.settings.accuracy)
+    notes.back() += text(", not of scene.integrator = \"", name_of(world.settings.integrator), "\"",
+                         world.settings.accuracy ? " with scene.accuracy" : "");
+  if (!system.baths.empty())
+    notes.emplace_back(
+        "a thermostat is fix langevin: of the same rate and temperature, with other noise and splitting");
+  for (const auto* list : {&system.pair_tables, &system.bond_tables})
+    for (const LammpsTable& t : *list)
+      if (const std::string note = "the law " + t.law + " has no energy, here and there: LAMMPS' total is without it";
+          !t.has_energy && std::ranges::find(notes, note) == notes.end())
+        notes.push_back(note);
+  if (!world.probes.empty()) notes.push_back(text(world.probes.size(), " probes are not recorded while LAMMPS runs"));
+  if (!system.bodies.empty()) notes.push_back(text(system.bodies.size(), " rigid bodies, a molecule each"));
+  return notes;
+}
+
+/// A scene as LAMMPS is given it.
+struct Given {
+  std::unique_ptr<Scene> scene;
+  LammpsSystem system;
+  LammpsTask task;
+  PresentForces forces;
+  double until = 0.0;  ///< [s]
+};
+
+Given give(const LammpsOptions& options, const LammpsScene& wanted) {
+  Given given;
+  given.scene = open(wanted);
+  const World& world = given.scene->world();
+  const double until = wanted.until.value_or(given.scene->duration().value_or(usual_duration));
+  const double steps = std::round((until - world.time) / world.settings.step);
+  if (steps < 1.0)
+    throw UsageError(text("the end, ", until, " s, is less than half a step of ", world.settings.step, " s away from ",
+                          world.time, " s"));
+  require(steps <= most_steps, "LAMMPS does at most 2e9 steps in a run, and these are ", steps);
+  const std::vector<std::string> refused = refused_by_lammps(*given.scene, until);
+  if (!refused.empty()) {
+    std::string all = text(given.scene->file(), " has what LAMMPS cannot be given:");
+    for (const std::string& one : refused) all += "\n  " + one;
+    throw Error(all);
+  }
+  given.system = lammps_system(world, options.error);
+  given.forces = present_forces(world);
+  given.until = world.time + steps * world.settings.step;
+  given.task.name = given.scene->file();
+  given.task.steps = static_cast<std::uint64_t>(steps);
+  given.task.every = std::max<std::uint64_t>(1, given.task.steps / 200);
+  given.task.law_energy = given.forces.energy;
+  given.task.notes = notes_of(*given.scene, given.system);
+  return given;
+}
+
+/// What both programs have at the beginning, held against each other.
+class Check {
+ public:
+  explicit Check(const Given& given) : given_(given) {}
+
+  /// Throws Error where it is not what the tables promise.
+  void look(const std::string& folder, double energy) {
+    const LammpsSystem& system = given_.system;
+    const DumpedAtoms told = read_dump((fs::path(folder) / "start.dump").string(), system.atoms.size(), 3);
+    double largest = system.usual_force, missed = 0.0;
+    std::uint32_t worst = 0;
+    for (std::uint32_t i = 0; i < system.atoms.size(); i++) {
+      const Vec3 ours = given_.forces.on[system.atoms[i].slot - 1];
+      largest = std::max(largest, norm(ours));
+      const double off = norm(ours - vec(told[i][0], told[i][1], told[i][2]));
+      if (off > missed) missed = off, worst = i;
+    }
+    if (largest > 0.0) force_error_ = missed / largest;
+    const double scale = std::max(std::abs(given_.forces.energy), system.energy_size);
+    if (scale > 0.0) energy_error_ = std::abs(energy - given_.forces.energy) / scale;
+    const double limit = std::max(system.error, 1e-12);
+    require(force_error_ <= limit, "LAMMPS has another force on ", describe(given_.scene->world(), system.atoms[worst]),
+            " than this program, by ", rounded(force_error_), " of the largest, and ", system.error,
+            " was promised: nothing is brought back");
+    require(energy_error_ <= limit, "LAMMPS has an energy of ", energy, " J at the beginning and this program ",
+            given_.forces.energy, " J, and to agree to ", system.error, " was promised: nothing is brought back");
+    std::error_code kept;
+    fs::remove(fs::path(folder) / "start.dump", kept);
+    done_ = true;
+  }
+
+  bool done() const { return done_; }
+  std::string told() const {
+    return text("at the start the energy agrees to ", rounded(energy_error_), " and every force to ",
+                rounded(force_error_), " of the largest");
+  }
+
+ private:
+  const Given& given_;
+  double energy_error_ = 0.0, force_error_ = 0.0;
+  bool done_ = false;
+};
+
+/// Reads what LAMMPS prints.
+class Listener {
+ public:
+  Listener(const Given& given, std::string folder)
+      : given_(given), folder_(std::move(folder)), check_(given), progress_(given.until) {}
+
+  void hear(const std::string& line) {
+    if (line.starts_with("pantin: energy ")) energy_ = std::strtod(line.c_str() + 15, nullptr);
+    if (line.starts_with("pantin: start.dump")) check_.look(folder_, energy_), begun_ = true;
+    if (!begun_) return;
+    if (line.starts_with("Loop time of ")) loop_ = std::strtod(line.c_str() + 13, nullptr);
+    char* end = nullptr;
+    const double step = std::strtod(line.c_str(), &end);
+    double values[3] = {};
+    int count = 0;
+    for (const char* at = end; end != line.c_str() && count < 3; count++) {
+      values[count] = std::strtod(at, &end);
+      if (end == at) break;
+      at = end;
+    }
+    if (count < 3 || loop_ > 0.0) return;
+    if (!has_first_) first_ = values[2], has_first_ = true;
+    last_ = values[2];
+    progress_.show(given_.scene->world().time + step * given_.scene->world().settings.step);
+  }
+
+  const Check& check() const { return check_; }
+  double seconds() const { return loop_; }  ///< of the run's steps
+  double first() const { return first_; }   ///< [J] kinetic and potential
+  double last() const { return last_; }
+
+ private:
+  const Given& given_;
+  std::string folder_;
+  Check check_;
+  Progress progress_;
+  bool begun_ = false, has_first_ = false;
+  double energy_ = 0.0, loop_ = 0.0, first_ = 0.0, last_ = 0.0;
+};
+
+void remove_dumps(const std::string& folder) {
+  std::error_code failed;
+  for (const char* name : {"start.dump", "end.dump"}) fs::remove(fs::path(folder) / name, failed);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+int export_lammps(const LammpsOptions& options, const LammpsScene& scene) {
+  Interrupt interrupt;
+  const auto start = std::chrono::steady_clock::now();
+  const Given given = give(options, scene);
+  write_lammps(options.folder, given.scene->world(), given.system, given.task);
+  for (const std::string& note : given.task.notes) std::printf("note: %s\n", note.c_str());
+  std::printf("%zu particles of %zu types, %zu bonds, %zu bodies in %.1f s: cd %s && lmp -in in.scene\n",
+              given.system.atoms.size(), given.system.types.size(), given.system.bonds.size(),
+              given.system.bodies.size(), seconds_since(start), options.folder.c_str());
+  return 0;
+}
+
+int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
+  Interrupt interrupt;
+  const std::string out = options.out.empty() ? scene_name(scene.path) + "-lammps" + state_ending : options.out;
+  const std::string folder = options.folder.empty() ? fs::path(out).replace_extension("").string() : options.folder;
+  const int ranks =
+      options.ranks > 0 ? options.ranks : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const LmpVersion version = check_lmp(ranks);
+  Given given = give(options, scene);
+  if (!given.system.bodies.empty()) require_package(version, "RIGID");
+  if (!given.system.bonds.empty()) require_package(version, "MOLECULE");
+  World& world = given.scene->world();
+  Output(out).drop();          // whether it can be written,
+  (void)given.scene->state();  // and be kept in a file, is known before hours are spent
+  write_lammps(folder, world, given.system, given.task);
+  remove_dumps(folder);
+  for (const std::string& note : given.task.notes) say(note);
+  Listener listener(given, folder);
+  run_lmp(folder, ranks, [&](const std::string& line) { listener.hear(line); });
+  require(listener.check().done(), "LAMMPS did not tell its forces at the beginning (",
+          (fs::path(folder) / "log.lammps").string(), ")");
+  bring_back(world, given.system, read_dump((fs::path(folder) / "end.dump").string(), given.system.atoms.size(), 6),
+             given.until);
+  save_state(*given.scene, out);
+  remove_dumps(folder);
+  const double done = static_cast<double>(given.task.steps) * static_cast<double>(given.system.atoms.size());
+  std::printf("%s\n", listener.check().told().c_str());
+  std::printf(
+      "LAMMPS %s, %d ranks: %llu steps in %.3g s, %.3g million atom-steps/s; total energy %.10g J before, %.10g J "
+      "after\n",
+      version.name.c_str(), ranks, static_cast<unsigned long long>(given.task.steps), listener.seconds(),
+      1e-6 * done / std::max(listener.seconds(), 1e-9), listener.first(), listener.last());
+  std::printf("%g s: %s (pantin play %s); its files and log are in %s\n", given.until, out.c_str(), out.c_str(),
+              folder.c_str());
+  return 0;
+}
+
+}  // namespace pantin::player

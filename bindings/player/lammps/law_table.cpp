@@ -1,0 +1,358 @@
+#include "player/lammps/law_table.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "base/check.hpp"
+#include "base/lanes.hpp"
+#include "laws/derivative.hpp"
+
+namespace pantin::player {
+namespace {
+
+const Input distance_square{Role::distance2, 0, 0, {}};
+constexpr std::size_t most_splined = std::size_t{1} << 15, most_straight = std::size_t{1} << 18;
+constexpr double one = 1e-12;  ///< distances that differ by less, relative to themselves, are one
+/// Energies of so many times the largest there are now nothing in the scene gives: there a table may begin or end. Straight
+/// lines need far more points to get there.
+constexpr double far_splined = 1e6, far_straight = 1e3;
+/// Where a law does not vanish as particles meet, its table is less exact in the first few intervals, to this at most.
+constexpr double most_inner = 0.05;
+
+bool is_branch(Function f) {
+  return f == Function::less || f == Function::less_or_equal || f == Function::minimum || f == Function::maximum;
+}
+
+/// What changes its sign where branches of some expressions of the distance meet.
+std::vector<Expr> branch_conditions(Expressions& graph, std::span<const Expr> outputs) {
+  std::vector<Expr> found, open(outputs.begin(), outputs.end());
+  std::set<Expr> seen;
+  while (!open.empty()) {
+    const Expr e = open.back();
+    open.pop_back();
+    if (!seen.insert(e).second) continue;
+    const Expressions::Node node = graph[e];
+    for (const auto& [term, factor] : node.terms) open.push_back(term);
+    if (node.kind != Expressions::Kind::function) continue;
+    Expr condition = no_expression;
+    if (is_branch(node.function)) condition = graph.subtract(node.terms[0].first, node.terms[1].first);
+    if (node.function == Function::abs) condition = node.terms[0].first;
+    if (condition != no_expression && graph.depends_on(condition, Role::distance2)) found.push_back(condition);
+  }
+  return found;
+}
+
+struct Lowered {
+  Program program;
+  std::size_t conditions = 0;
+};
+
+/// Outputs: tension / distance, its derivative by the square of the distance, the energy if there is one, conditions.
+Lowered lower_law(const Law& law) {
+  Expressions graph = law.graph;
+  std::vector<Expr> outputs = law.force;
+  if (law.energy != no_expression) outputs.push_back(law.energy);
+  const std::vector<Expr> conditions = branch_conditions(graph, outputs);
+  outputs.insert(outputs.begin() + 1, derivative(graph, law.force[0], distance_square));
+  outputs.insert(outputs.end(), conditions.begin(), conditions.end());
+  graph.put_in_order(outputs);
+  return {lower(graph, outputs), conditions.size()};
+}
+
+const Law& checked(const std::string& name, const Law& law) {
+  require(law.kind == LawKind::central && !law.called && !law.one_sided && !law.velocity_dependent && !law.timed, name,
+          ": it is no function of distance alone");
+  return law;
+}
+
+}  // namespace
+
+LawOfDistance::LawOfDistance(std::string name, const Law& law, std::span<const double> parameters,
+                             const std::function<double(int, const std::string&)>& attribute)
+    : name_(std::move(name)),
+      has_energy_(checked(name_, law).has_energy()),
+      machine_(lower_law(law).program),
+      distance2_(machine_.input(distance_square)),
+      conditions_(lower_law(law).conditions) {
+  for (const Input& input : lower_law(law).program.inputs) {
+    const int at = machine_.input(input);
+    if (input.role == Role::attribute) machine_.fill(at, attribute(input.who, input.name));
+    for (std::size_t i = 0; input.role == Role::parameter && i < parameters.size(); i++)
+      if (law.parameters[i].name == input.name) machine_.fill(at, parameters[i]);
+  }
+  machine_.run_uniform();
+}
+
+void LawOfDistance::run(std::span<const double> r, const std::function<void(std::size_t)>& read) {
+  for (std::size_t first = 0; first < r.size(); first += Machine::block) {
+    const std::size_t n = std::min<std::size_t>(Machine::block, r.size() - first);
+    if (distance2_ >= 0) {
+      double* const column = machine_.column(distance2_);
+      for (std::size_t k = 0; k < (n + 15) / 16 * 16; k++) {
+        const double distance = r[first + std::min(k, n - 1)];
+        column[k] = distance * distance;
+      }
+    }
+    machine_.run(static_cast<int>(n));
+    for (std::size_t k = 0; k < n; k++) read(k);
+  }
+}
+
+std::vector<LawOfDistance::Value> LawOfDistance::at(std::span<const double> r) {
+  std::vector<Value> values;
+  values.reserve(r.size());
+  run(r, [&](std::size_t k) {
+    const double x = r[values.size()], pull = machine_.output(0)[k], by_square = machine_.output(1)[k];
+    values.push_back({has_energy_ ? machine_.output(2)[k] : 0.0, -pull * x, -pull - 2.0 * x * x * by_square});
+  });
+  return values;
+}
+
+std::vector<std::vector<double>> LawOfDistance::conditions_at(std::span<const double> r) {
+  const std::size_t before = has_energy_ ? 3 : 2;
+  std::vector<std::vector<double>> values(conditions_);
+  run(r, [&](std::size_t k) {
+    for (std::size_t c = 0; c < conditions_; c++) values[c].push_back(machine_.output(static_cast<int>(before + c))[k]);
+  });
+  return values;
+}
+
+std::vector<double> LawOfDistance::kinks(double from, double to) {
+  constexpr std::size_t pieces = 4096, parts = 64;
+  const auto even = [](double a, double b, std::size_t n) {
+    std::vector<double> list;
+    for (std::size_t i = 0; i <= n; i++)
+      list.push_back(a + (b - a) * (static_cast<double>(i) / static_cast<double>(n)));
+    return list;
+  };
+  if (conditions_ == 0) return {};
+  std::set<double> found;
+  const std::vector<double> grid = even(from, to, pieces);
+  const auto coarse = conditions_at(grid);
+  for (std::size_t c = 0; c < conditions_; c++)
+    for (std::size_t i = 0; i < pieces; i++) {
+      if ((coarse[c][i] < 0.0) == (coarse[c][i + 1] < 0.0)) continue;
+      double low = grid[i], high = grid[i + 1];
+      for (double width = infinity; high - low < width && high > low;) {
+        width = high - low;
+        const std::vector<double> fine = even(low, high, parts);
+        const auto values = conditions_at(fine)[c];
+        std::size_t k = 0;
+        while (k + 1 < parts && (values[k] < 0.0) == (values[k + 1] < 0.0)) k++;
+        low = fine[k], high = fine[k + 1];
+      }
+      found.insert(high);
+    }
+  // What differs by round-off is one, and the ends are none.
+  std::vector<double> list;
+  for (double kink : found)
+    if (kink > from * (1.0 + one) && kink < to * (1.0 - one) && (list.empty() || kink > list.back() * (1.0 + one)))
+      list.push_back(kink);
+  return list;
+}
+
+namespace {
+
+/// A table with what it is made from.
+class TableMaker {
+ public:
+  TableMaker(LawOfDistance& law, const TableWish& wish) : law_(law), wish_(wish) {}
+
+  LawTable make() {
+    find_sizes();
+    const double last = wish_.to > 0.0 ? wish_.to : 2.0 * farthest_;
+    far_ = splines(law_.kinks(0.5 * nearest_, last)) ? far_splined : far_straight;
+    double from = beginning();
+    const double to = wish_.to > 0.0 ? wish_.to : end();
+    make_between(from, to);
+    require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", most_straight,
+            " points follows it to an error of ", wish_.error,
+            ": it jumps, or bends in more than one place; ask for a larger --error, or make it smooth");
+    for (int attempt = 0; attempt < 8 && table_.inner_error > most_inner; attempt++) {
+      from = 0.3 * from + 0.7 * table_.good_from;
+      make_between(from, to);
+    }
+    require(table_.inner_error <= most_inner, law_.name(), ": no table follows it to an error of ", wish_.error,
+            "; ask for a larger --error");
+    return std::move(table_);
+  }
+
+ private:
+  LawOfDistance& law_;
+  TableWish wish_;
+  LawTable table_;
+  double nearest_ = 0.0, farthest_ = 0.0;              // [m] now
+  double largest_energy_ = 0.0, largest_force_ = 0.0;  // [J], [N] there
+  double far_ = far_straight;
+
+  double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
+  double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
+
+  /// How large the law is where particles are now.
+  void find_sizes() {
+    nearest_ = std::ranges::min(wish_.distances);
+    farthest_ = std::ranges::max(wish_.distances);
+    for (const double more : {1.0, 1.01}) {
+      std::vector<double> r;
+      for (double distance : wish_.distances) r.push_back(more * distance);
+      double energy = 0.0, force = 0.0;
+      for (const LawOfDistance::Value& v : law_.at(r)) {
+        require(std::isfinite(v.energy) && std::isfinite(v.force), law_.name(),
+                ": it is not a finite number where particles are now, the nearest ", nearest_, " m apart");
+        energy += std::abs(v.energy);
+        force += std::abs(v.force);
+        largest_energy_ = std::max(largest_energy_, std::abs(v.energy));
+        largest_force_ = std::max(largest_force_, std::abs(v.force));
+        table_.stiffness = std::max(table_.stiffness, -v.slope);
+      }
+      const auto count = static_cast<double>(r.size());
+      table_.usual_energy = std::max(table_.usual_energy, energy / count);
+      table_.usual_force = std::max(table_.usual_force, force / count);
+    }
+  }
+
+  bool splines(const std::vector<double>& kinks) const { return kinks.empty() && !wish_.straight && law_.has_energy(); }
+
+  bool is_far(double r) const {
+    const LawOfDistance::Value v = law_.at(std::span(&r, 1))[0];
+    if (!std::isfinite(v.energy) || !std::isfinite(v.force)) return true;
+    return (law_.has_energy() && std::abs(v.energy) > far_ * largest_energy_) ||
+           std::abs(v.force) > 1e3 * far_ * largest_force_;
+  }
+
+  /// Where a table may begin: nearer particles have energy that nothing in the scene has to give.
+  double beginning() const {
+    double r = nearest_;
+    while (r > 0.01 * nearest_ && !is_far(r * 0.97)) r *= 0.97;
+    return r;
+  }
+
+  /// The same of a bond's other end.
+  double end() const {
+    double r = farthest_;
+    while (r < 8.0 * farthest_ && !is_far(r * 1.03)) r *= 1.03;
+    return r;
+  }
+
+  void make_between(double from, double to) {
+    const std::vector<double> kinks = law_.kinks(from, to);
+    table_.spline = splines(kinks);
+    const std::size_t most = table_.spline ? most_splined : most_straight;
+    for (std::size_t n = wish_.points;;) {
+      sample(from, to, kinks, n);
+      if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) return;
+      // The error goes with the second or fourth power of the spacing.
+      const double finer = std::pow(std::min(std::max(table_.error, table_.inner_error) / wish_.error, 1e30),
+                                    table_.spline ? 0.25 : 0.5);
+      n = std::min(most, n * std::bit_floor(static_cast<std::size_t>(std::clamp(finer, 2.0, 1024.0))));
+    }
+  }
+
+  /// n points, one of them where the law has a kink.
+  void sample(double from, double to, const std::vector<double>& kinks, std::size_t n) {
+    double low = over(from), high = over(to);
+    const auto pieces = static_cast<double>(n - 1);
+    if (!kinks.empty()) {
+      const double kink = over(kinks.front());
+      const double after = std::clamp(std::ceil((high - kink) / (high - low) * pieces), 1.0, pieces - 1.0);
+      const double width = wish_.to > 0.0 ? (high - kink) / after : (high - low) / pieces;
+      low = kink - (pieces - after) * width;
+      high = kink + after * width;
+    }
+    std::vector<double> r;
+    const double width = (high - low) / static_cast<double>(2 * n - 2);
+    for (std::size_t i = 0; i < 2 * n - 1; i++) r.push_back(distance(low + width * static_cast<double>(i)));
+    if (wish_.to > 0.0) r.back() = to;
+    r.front() = distance(low);
+    std::vector<double> within = r;
+    within.back() = r.back() * (1.0 - 2.0 * one);  // at a cutoff the law is another
+    std::vector<LawOfDistance::Value> values = law_.at(within);
+    keep(r, values);
+    const std::vector<double> energy = between(values, r, &LawOfDistance::Value::energy),
+                              force = between(values, r, &LawOfDistance::Value::force);
+    table_.error = table_.inner_error = 0.0;
+    table_.good_from = to;
+    for (std::size_t i = n - 1; i-- > 0;) {
+      const LawOfDistance::Value& v = values[2 * i + 1];
+      const double missed =
+          std::max(missing(energy[i], v.energy, table_.usual_energy), missing(force[i], v.force, table_.usual_force));
+      if (missed <= wish_.error && table_.inner_error == 0.0) {
+        table_.error = std::max(table_.error, missed);
+        table_.good_from = table_.r[i];
+      } else {
+        table_.inner_error = std::isfinite(missed) ? std::max(table_.inner_error, missed) : infinity;
+      }
+    }
+  }
+
+  static double missing(double told, double true_value, double size) {
+    const double scale = std::max(std::abs(true_value), size);
+    return scale == 0.0 ? std::abs(told - true_value) : std::abs(told - true_value) / scale;
+  }
+
+  /// Of every other one is kept; the rest is what the table is held against.
+  void keep(const std::vector<double>& r, const std::vector<LawOfDistance::Value>& values) {
+    table_.r.clear(), table_.energy.clear(), table_.force.clear();
+    for (std::size_t i = 0; i < r.size(); i += 2) {
+      table_.r.push_back(r[i]);
+      table_.energy.push_back(values[i].energy);
+      table_.force.push_back(values[i].force);
+    }
+    table_.slope_from = values.front().slope;
+    table_.slope_to = values.back().slope;
+  }
+
+  /// (points but one) what LAMMPS makes of the middles between the points.
+  std::vector<double> between(const std::vector<LawOfDistance::Value>& values, const std::vector<double>& r,
+                              double LawOfDistance::Value::*which) const {
+    const bool over_r = which == &LawOfDistance::Value::force && wish_.over == TableOver::square;
+    const std::size_t n = table_.r.size();
+    std::vector<double> y;
+    for (std::size_t i = 0; i < n; i++) y.push_back(values[2 * i].*which / (over_r ? table_.r[i] : 1.0));
+    const double width = (over(table_.to()) - over(table_.from())) / static_cast<double>(n - 1);
+    std::vector<double> bend(n, 0.0);
+    if (table_.spline)
+      bend = bends(y, width, end_slope(values.front(), r.front(), which), end_slope(values.back(), r.back(), which));
+    std::vector<double> result;
+    for (std::size_t i = 0; i + 1 < n; i++) {
+      const double middle = 0.5 * (y[i] + y[i + 1]) - width * width / 16.0 * (bend[i] + bend[i + 1]);
+      result.push_back(middle * (over_r ? r[2 * i + 1] : 1.0));
+    }
+    return result;
+  }
+
+  /// Derivative by what the table is even over.
+  double end_slope(const LawOfDistance::Value& v, double r, double LawOfDistance::Value::*which) const {
+    const bool of_energy = which == &LawOfDistance::Value::energy;
+    if (wish_.over == TableOver::distance) return of_energy ? -v.force : v.slope;
+    return of_energy ? -v.force / (2.0 * r) : (v.slope / r - v.force / (r * r)) / (2.0 * r);
+  }
+
+  /// Second derivatives of the cubic spline with given slopes at its ends.
+  static std::vector<double> bends(const std::vector<double>& y, double width, double first, double last) {
+    const std::size_t n = y.size();
+    std::vector<double> upper(n), bend(n);
+    upper[0] = 0.5;
+    bend[0] = 3.0 / width * ((y[1] - y[0]) / width - first);
+    for (std::size_t i = 1; i + 1 < n; i++) {
+      const double pivot = 2.0 - 0.5 * upper[i - 1];
+      const double right = 3.0 * (y[i + 1] - 2.0 * y[i] + y[i - 1]) / (width * width);
+      upper[i] = 0.5 / pivot;
+      bend[i] = (right - 0.5 * bend[i - 1]) / pivot;
+    }
+    const double right = 3.0 / width * (last - (y[n - 1] - y[n - 2]) / width);
+    bend[n - 1] = (right - 0.5 * bend[n - 2]) / (1.0 - 0.5 * upper[n - 2]);
+    for (std::size_t i = n - 1; i-- > 0;) bend[i] -= upper[i] * bend[i + 1];
+    return bend;
+  }
+};
+
+}  // namespace
+
+LawTable make_table(LawOfDistance& law, const TableWish& wish) { return TableMaker(law, wish).make(); }
+
+}  // namespace pantin::player

@@ -1,0 +1,81 @@
+#pragma once
+// A central law of a pair as LAMMPS reads it: values at distances, between which it interpolates.
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "laws/law.hpp"
+
+namespace pantin::player {
+
+/// Over what a table is even: LAMMPS looks pairs up by r², bonds by r.
+enum class TableOver : std::uint8_t { square, distance };
+
+/// What is wanted of a table.
+struct TableWish {
+  TableOver over = TableOver::square;
+  std::vector<double> distances;  ///< [m] of such pairs that there are now, at least one
+  double to =
+      0.0;  ///< [m] where it ends: of a pair its cutoff, of a bond 0: where its energy is far from what it is now
+  double error =
+      1e-6;  ///< of energy and force between its points, relative to the value there, or to the usual one now
+             ///< where that is more
+  std::size_t points = 256;  ///< at least
+  bool straight = false;     ///< by straight lines in any case
+};
+
+struct LawTable {
+  bool spline = true;  ///< between the points by cubic splines of energy and force (of pairs force / r); else straight
+  std::vector<double> r;       ///< [m]
+  std::vector<double> energy;  ///< [J] 0 of a law without
+  std::vector<double> force;   ///< [N] pushes apart where positive
+  double slope_from = 0.0;     ///< [N/m] of the force at the first
+  double slope_to = 0.0;       ///< [N/m] and the last
+  double error = 0.0;          ///< the largest from `good_from` on, see TableWish
+  double good_from = 0.0;      ///< [m] the first, but of laws that do not vanish where particles meet
+  double inner_error = 0.0;    ///< before that; 0: it is the first
+  double usual_energy = 0.0;   ///< [J] mean size at the distances that there are now, or a hundredth more
+  double usual_force = 0.0;    ///< [N] the same
+  double stiffness = 0.0;      ///< [N/m] there, the largest, of what pulls back
+
+  double from() const { return r.front(); }
+  double to() const { return r.back(); }
+};
+
+/// A law with all that it reads but the distance. Throws Error, which names the law by `name`, for a law that is no function
+/// of distance alone.
+class LawOfDistance {
+ public:
+  struct Value {
+    double energy = 0.0;  ///< [J] 0 of a law without
+    double force = 0.0;   ///< [N] pushes apart where positive
+    double slope = 0.0;   ///< [N/m] of the force by distance
+  };
+
+  LawOfDistance(std::string name, const Law& law, std::span<const double> parameters,
+                const std::function<double(int who, const std::string& attribute)>& attribute);
+
+  const std::string& name() const { return name_; }
+  bool has_energy() const { return has_energy_; }
+  /// (r) values at distances [m] > 0.
+  std::vector<Value> at(std::span<const double> r);
+  /// Distances [m] within a range at which one branch of the law goes over into another, rising.
+  std::vector<double> kinks(double from, double to);
+
+ private:
+  std::string name_;
+  bool has_energy_;
+  Machine machine_;
+  int distance2_;
+  std::size_t conditions_;  ///< differences that change their sign where branches meet, after the other outputs
+
+  void run(std::span<const double> r, const std::function<void(std::size_t)>& read);
+  std::vector<std::vector<double>> conditions_at(std::span<const double> r);
+};
+
+/// Samples a law so densely that the wish is met. Throws Error where no table can.
+LawTable make_table(LawOfDistance& law, const TableWish& wish);
+
+}  // namespace pantin::player

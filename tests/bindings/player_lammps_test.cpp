@@ -1,0 +1,348 @@
+// Scenes that LAMMPS runs: the same forces and energies, and back again. What needs `lmp` is left out where that is not there.
+#include "player/lammps/lammps.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "bindings/program_support.hpp"
+#include "lua/scene/open.hpp"
+#include "measure/measure.hpp"
+
+using namespace pantin;
+using namespace pantin::support;
+using Catch::Contains;
+
+namespace {
+
+/// Atoms of Lennard-Jones in a box, a little off their places.
+const char* const melt = R"(
+local cells = scene:param("cells", 5)
+scene.step, scene.gravity = 0.004, vec(0, 0, 0)
+local edge = (4 / 0.8442) ^ (1 / 3)
+scene.box = cells * edge * vec(1, 1, 1)
+local atoms = scene:family "atoms"
+local function one() return math.random() - 0.5 end
+for x = 0, cells - 1 do for y = 0, cells - 1 do for z = 0, cells - 1 do
+  for _, p in ipairs { vec(0, 0, 0), vec(0.5, 0.5, 0), vec(0.5, 0, 0.5), vec(0, 0.5, 0.5) } do
+    scene:particle { at = edge * (vec(x, y, z) + p + 0.05 * vec(one(), one(), one())), velocity = 4 * vec(one(), one(), one()),
+      family = atoms, mass = 1 }
+  end
+end end end
+scene:interact(atoms, atoms, force.lennard_jones { epsilon = 1, sigma = 1, cutoff = 2.5 })
+)";
+
+/// A lattice of springs that falls, turns and swings.
+const char* const springs = R"(
+local n = 6
+scene.step = 1 / 480
+local spring, made = force.spring { stiffness = 30, length = 0.1 }, {}
+for x = 0, n - 1 do for y = 0, n - 1 do for z = 0, n - 1 do
+  local i = (x * n + y) * n + z
+  made[i] = scene:particle { at = 0.1 * vec(x, y, z) * (1 + 0.02 * math.sin(3 * x)), mass = 0.01, velocity = vec(y, 0, x) }
+  if x > 0 then scene:connect(made[i - n * n], made[i], spring) end
+  if y > 0 then scene:connect(made[i - n], made[i], spring) end
+  if z > 0 then scene:connect(made[i - 1], made[i], spring) end
+end end end
+)";
+
+/// Rigid rods and triangles that attract each other by a law that bends, and lie across the edges of the box.
+const char* const bodies = R"(
+scene.step, scene.gravity, scene.box = 0.005, vec(0, 0, 0), vec(9, 9, 9)
+local ends = scene:family("ends")
+local function turned() return quat(vec(math.random() - 0.5, math.random() - 0.5, 1), 6 * math.random()) end
+for i = 0, 26 do
+  local at = 3 * vec(i % 3, i // 3 % 3, i // 9)
+  local points = { { at = vec(-0.6, 0, 0), mass = 1, family = ends }, { at = vec(0.6, 0, 0), mass = 2, family = ends } }
+  if i % 2 == 0 then points[3] = { at = vec(0, 0.7, 0), mass = 1.5, family = ends } end
+  scene:body { at = at, orientation = turned(), velocity = vec(math.random(), 0, 0), spin = vec(0, math.random(), 1), points = points }
+end
+scene:interact(ends, ends, force.hydrophobic { strength = 1, size = 0.9 })
+)";
+
+/// Two families, attributes, bonds of several kinds beside pairs, laws that bend or do not vanish, no box, fields, gravity.
+const char* const mixture = R"(
+scene.step, scene.gravity = 0.0005, vec(0, -1, 0)
+local ions = scene:family("ions", { attributes = { charge = 1 }, mass = 1 })
+local beads = scene:family("beads", { attributes = { size = 1 }, mass = 2 })
+local list = {}
+for i = 0, 124 do
+  local p = 1.3 * vec(i % 5, i // 5 % 5, i // 25) + 0.1 * vec(math.random(), math.random(), math.random())
+  if i % 2 == 0 then list[i] = scene:particle { at = p, family = ions, charge = i % 3 - 1 }
+  else list[i] = scene:particle { at = p, family = beads, mass = 2 + i % 4, size = 0.9 + 0.1 * (i % 3) } end
+end
+scene:interact(ions, ions, force.pair { cutoff = 4,
+  potential = function(r, a, b) return 2 * a.charge * b.charge * math.exp(-r) / r + 4 * r ^ -9 end })
+scene:interact(beads, beads, force.pair { cutoff = 2.5, exclude = 1,
+  potential = function(r, a, b) local s = 0.5 * (a.size + b.size) return 4 * ((s / r) ^ 12 - (s / r) ^ 6) end })
+scene:interact(ions, beads, force.pair { cutoff = 3,
+  tension = function(r, rate, a, b) return r < 1.5 and -3 * (1.5 - r) * b.size or 0 end })
+for i = 1, 122, 2 do
+  scene:connect(list[i], list[i + 2], force.pair { potential = function(r) return 5 * math.max(r - 2.4, 0) ^ 2 end })
+  if i < 60 then scene:connect(list[i], list[i + 2], force.spring { stiffness = 4 + i % 4, length = 2.5 }) end
+end
+scene:field(ions, force.point { potential = function(p)
+  return 0.3 * p.charge * p.position.y ^ 2 + 0.1 * math.sin(p.position.x) * p.mass end })
+scene:field(scene, force.point { force = function(p) return vec(0.1 * p.position.z, 0, p.position.x < 2 and 0.2 or -0.1) end })
+)";
+
+Finished export_scene(const Folder& folder, const std::string& source, std::vector<std::string> more = {}) {
+  write_file(folder / "scene.lua", source);
+  std::vector<std::string> arguments = {"export", "scene.lua", "--lammps", "files", "--until", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return use(folder, arguments);
+}
+
+/// With turns for processes, since the machine may have fewer processors; `path` before the usual one.
+Finished run_scene(const Folder& folder, const std::string& source, std::vector<std::string> more,
+                   const std::string& path = "") {
+  write_file(folder / "scene.lua", source);
+  std::vector<std::string> arguments = {"lammps", "scene.lua", "--out", "back.pantin"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Process::Options all = options(arguments, folder.path);
+  all.environment.emplace_back("OMPI_MCA_rmaps_base_oversubscribe=1");
+  if (!path.empty()) all.environment.push_back("PATH=" + path);
+  return finish(all);
+}
+
+bool have_lammps() {
+  if (have_program("lmp") && have_program("mpirun")) return true;
+  WARN("left out: there is no lmp and mpirun here (Debian's packages lammps and openmpi-bin)");
+  return false;
+}
+
+double number_after(const std::string& text, const std::string& what) {
+  const std::size_t at = text.find(what);
+  INFO(text);
+  REQUIRE(at != std::string::npos);
+  return std::strtod(text.c_str() + at + what.size(), nullptr);
+}
+
+/// The state that LAMMPS brought back.
+std::unique_ptr<Scene> state_in(const Folder& folder) {
+  return lua::open_state(read_file(folder / "back.pantin"), "back.pantin", {});
+}
+
+/// A program called lmp in the folder `bin`.
+std::string fake_lmp(const Folder& folder, const std::string& script) {
+  std::filesystem::create_directories(folder / "bin");
+  write_file(folder / "bin/lmp", "#!/bin/sh\n" + script);
+  std::filesystem::permissions(folder / "bin/lmp", std::filesystem::perms::owner_all);
+  return (folder / "bin") + ":/usr/bin:/bin";
+}
+
+const std::string says_version =
+    "[ \"$1\" = -h ] && { echo 'Large-scale Atomic/Molecular Massively Parallel Simulator - 29 Sep 2021'; echo; echo "
+    "'Installed "
+    "packages:'; echo; echo 'MOLECULE RIGID'; exit 0; }\n";
+
+std::vector<std::string> scenes() {
+  return {melt, read_file(sources::folder() + "/scripts/scenes/membrane.lua"), springs, bodies, mixture};
+}
+
+/// [J] at the start; checks that LAMMPS has our energy and forces then.
+double total_energy(const std::string& source, const std::string& ranks) {
+  const Folder folder;
+  const Finished run = run_scene(folder, source, {"--until", "0.1", "--ranks", ranks});
+  INFO(source << run.err);
+  REQUIRE(run.code == 0);
+  CHECK(number_after(run.out, "the energy agrees to ") <= 1e-6);
+  CHECK(number_after(run.out, "every force to ") <= 1e-6);
+  return number_after(run.out, "total energy ");
+}
+
+}  // namespace
+
+TEST_CASE("lammps: what is exported is the scene to the last digit, with its masses, box, bonds and molecules") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, bodies).code == 0);
+  const auto scene = lua::open_scene_text(bodies, "scene.lua", ".", {});
+  std::istringstream data(read_file(folder / "files/scene.data"));
+  std::string line;
+  while (line.find("Atoms") != 0) REQUIRE(std::getline(data, line));
+  std::size_t number = 0;
+  for (ParticleId id : scene->world().particles.ids()) {
+    double atom = 0, molecule = 0, type = 0, x = 0, y = 0, z = 0;
+    data >> atom >> molecule >> type >> x >> y >> z;
+    CHECK(atom == static_cast<double>(++number));
+    CHECK(molecule >= 1.0);
+    CHECK(same(position(scene->world(), id), vec(x, y, z)));
+  }
+  CHECK_THAT(read_file(folder / "files/scene.data"), Contains("0 9 xlo xhi") && Contains("3 atom types"));
+  CHECK_THAT(read_file(folder / "files/in.scene"),
+             Contains("rigid/small molecule") && Contains("boundary p p p") && Contains("Units"));
+  CHECK_THAT(export_scene(folder, springs).out, Contains("216 particles of 1 types, 540 bonds"));
+  CHECK_THAT(read_file(folder / "files/in.scene"),
+             Contains("boundary s s s") && Contains("fix gravity all gravity 9.81 vector 0 -9.81 0"));
+}
+
+TEST_CASE("lammps: formulas for those of 2023 on are beside the tables") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, melt).code == 0);
+  CHECK_THAT(read_file(folder / "files/laws.lepton"),
+             Contains("pair_style hybrid/overlay lepton 2.5") && Contains("(r^(-12))"));
+  CHECK_THAT(read_file(folder / "files/laws.tables"), Contains("pair_coeff 1 1 table pair.table PAIR1 2.5"));
+}
+
+TEST_CASE("lammps: what it cannot do ends with a list, and nothing is written") {
+  const Folder folder;
+  const Finished refused = export_scene(folder, std::string(melt) + "scene:every(1, function() end)\nscene:floor()\n");
+  CHECK(refused.code == 1);
+  CHECK_THAT(refused.err, Contains("scene.lua has what LAMMPS cannot be given:") && Contains("a shape that touches") &&
+                              Contains("again and again (scene.lua:"));
+  CHECK_FALSE(std::filesystem::exists(folder / "files"));
+}
+
+TEST_CASE("lammps: wrong use is told before anything runs") {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "files");
+  write_file(folder / "files/thesis.txt", "mine");
+  CHECK_THAT(export_scene(folder, melt).err, Contains("it holds files that are not of an export"));
+  CHECK_THAT(use(folder, {"export", "scene.lua"}).err, Contains("--lammps"));
+  CHECK_THAT(use(folder, {"lammps", "scene.lua", "--error", "2"}).err, Contains("1e-10 to 0.1"));
+  CHECK_THAT(use(folder, {"lammps", "scene.lua", "--out", "x.csv"}).err, Contains(".pantin"));
+  CHECK_THAT(use(folder, {"export", "scene.lua", "--lammps", "x", "--until", "0"}).err,
+             Contains("less than half a step"));
+  CHECK_THAT(use(folder, {"export", "none.lua", "--lammps", "x"}).err, Contains("there is no scene 'none.lua'"));
+}
+
+TEST_CASE("lammps: an lmp that is missing, old, another program, fails, dies or lies is told in one sentence") {
+  const Folder folder;
+  const auto told = [&](const std::string& path) {
+    const Finished run = run_scene(folder, melt, {"--until", "0.1", "--ranks", "1"}, path);
+    CHECK(run.code == 1);
+    CHECK_FALSE(std::filesystem::exists(folder / "back.pantin"));
+    return run.err;
+  };
+  CHECK_THAT(told(folder / "bin"), Contains("install Debian's package lammps"));
+  CHECK_THAT(told(fake_lmp(folder, "echo 'Large-scale Atomic/Molecular Massively Parallel Simulator - 7 Aug 2019'")),
+             Contains("lmp is LAMMPS of 7 Aug 2019, and 29 Sep 2021 or newer is needed"));
+  CHECK_THAT(told(fake_lmp(folder, "echo hello")), Contains("is another program called lmp?"));
+  CHECK_THAT(told(fake_lmp(folder, says_version + "echo 'ERROR: Lost atoms: original 4 current 3'; exit 1")),
+             Contains("LAMMPS: ERROR: Lost atoms") && Contains("the step is too long") && Contains("back/log.lammps"));
+  CHECK_THAT(told(fake_lmp(folder, says_version + "kill -9 $$")), Contains("ended by signal 9 (Killed)"));
+  CHECK_THAT(told(fake_lmp(folder, says_version + "exit 3")), Contains("it ended with exit code 3"));
+  CHECK_THAT(told(fake_lmp(folder, says_version + "touch end.dump")), Contains("did not tell its forces"));
+  CHECK_THAT(told(fake_lmp(folder, says_version +
+                                       "(echo ITEM: NUMBER OF ATOMS; echo 500; echo ITEM: ATOMS id fx fy fz; for i in "
+                                       "`seq 500`; do echo $i 1 0 0; done) > start.dump; echo 'pantin: energy 1'; echo "
+                                       "'pantin: start.dump is there'")),
+             Contains("LAMMPS has another force on particle"));
+  CHECK_THAT(
+      told(fake_lmp(folder, says_version +
+                                "(echo ITEM: NUMBER OF ATOMS; echo 500; echo ITEM: ATOMS; echo 1 nan) > start.dump; "
+                                "echo 'pantin: energy 1'; echo 'pantin: start.dump is there'")),
+      Contains("start.dump"));
+}
+
+TEST_CASE("lammps: Ctrl-C ends LAMMPS, too, and brings nothing back") {
+  const Folder folder;
+  write_file(folder / "scene.lua", melt);
+  Process::Options all =
+      options({"lammps", "scene.lua", "--out", "back.pantin", "--ranks", "1", "--until", "1"}, folder.path);
+  all.environment.push_back("PATH=" + fake_lmp(folder, says_version + "touch begun; sleep 300; touch ended"));
+  Process run(all);
+  for (int i = 0; i < 600 && !std::filesystem::exists(folder / "back/begun"); i++) REQUIRE_FALSE(run.wait(0.1));
+  run.signal(SIGINT);
+  CHECK(run.wait(30.0) == 1);
+  CHECK_THAT(run.err(), Contains("stopped: LAMMPS was ended, and nothing is brought back"));
+  CHECK_FALSE(std::filesystem::exists(folder / "back.pantin"));
+}
+
+TEST_CASE("lammps: more processes than mpirun has place for, or no mpirun, is told with what to do") {
+  const Folder folder;
+  std::string path = fake_lmp(folder, says_version);
+  write_file(folder / "bin/mpirun",
+             "#!/bin/sh\necho 'There are not enough slots available in the system to satisfy the 4'; exit 1");
+  std::filesystem::permissions(folder / "bin/mpirun", std::filesystem::perms::owner_all);
+  CHECK_THAT(
+      run_scene(folder, melt, {"--until", "0.1", "--ranks", "4"}, path).err,
+      Contains("mpirun has no place for 4 processes") && Contains("fewer --ranks") && Contains("oversubscribe=1"));
+  std::filesystem::remove(folder / "bin/mpirun");
+  path = folder / "bin";
+  std::filesystem::create_symlink("/bin/sh", folder / "bin/sh");
+  CHECK_THAT(run_scene(folder, melt, {"--until", "0.1", "--ranks", "4"}, path).err,
+             Contains("install Debian's package openmpi-bin"));
+}
+
+TEST_CASE("lammps: melt, membrane, springs, bodies and a mixture have our energy and forces") {
+  if (!have_lammps()) return;
+  for (const std::string& source : scenes()) total_energy(source, "1");
+}
+
+TEST_CASE("lammps: on 2 and 4 ranks all is as on 1", "[slow]") {
+  if (!have_lammps()) return;
+  for (const std::string& source : scenes()) {
+    const double alone = total_energy(source, "1");
+    for (const char* ranks : {"2", "4"}) CHECK(total_energy(source, ranks) == Approx(alone).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("lammps: where it ends is where this program comes to, and the scene goes on from there") {
+  if (!have_lammps()) return;
+  // Without chaos in so short a time: both are velocity Verlet, but that turns of bodies are done otherwise.
+  const auto [source, until, near] =
+      GENERATE(table<const char*, double, double>({{springs, 0.5, 1e-9}, {melt, 0.4, 1e-4}, {bodies, 0.5, 1e-3}}));
+  const Folder folder;
+  const Finished run = run_scene(folder, source, {"--until", to_text(until), "--ranks", "2"});
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto brought = state_in(folder);
+  const auto here = lua::open_scene_text(source, "scene.lua", ".", {});
+  while (here->world().time < until - 0.5 * here->world().settings.step) here->step();
+  CHECK(brought->world().time == Approx(here->world().time));
+  double apart = 0.0, apart_in_speed = 0.0;
+  for (ParticleId id : here->world().particles.ids()) {
+    apart = std::max(apart, norm(position(here->world(), id) - position(brought->world(), id)));
+    apart_in_speed = std::max(apart_in_speed, norm(velocity(here->world(), id) - velocity(brought->world(), id)));
+  }
+  CHECK(apart < near);
+  CHECK(apart_in_speed < 30.0 * near);
+  const double energy_there = energy(brought->world()).total();
+  CHECK(energy_there == Approx(energy(here->world()).total()).epsilon(1e-4));
+  for (int i = 0; i < 50; i++) brought->step();
+  CHECK(brought->world().time == Approx(until + 50 * here->world().settings.step));
+  CHECK(energy(brought->world()).total() == Approx(energy_there).epsilon(1e-3));
+  CHECK(brought->world().error.energy < 1e-2);
+}
+
+TEST_CASE("lammps: over 1000 steps a table keeps the energy as LAMMPS' own Lennard-Jones does") {
+  if (!have_lammps()) return;
+  const Folder folder;
+  REQUIRE(run_scene(folder, melt, {"--until", "4", "--ranks", "1"}).code == 0);
+  const auto energies = [&](const std::string& log) {
+    std::istringstream lines(log.substr(log.rfind("Step ")));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<double> list;
+    for (double step, potential, kinetic, total, temperature;
+         lines >> step >> potential >> kinetic >> total >> temperature;)
+      list.push_back(total);
+    return list;
+  };
+  const std::vector<double> by_table = energies(read_file(folder / "back/log.lammps"));
+  write_file(folder / "back/laws.tables", "pair_style lj/cut 2.5\npair_coeff * * 1 1\npair_modify shift yes\n");
+  REQUIRE(finish({{"lmp", "-in", "in.scene", "-log", "own.lammps"}, {}, folder / "back", -1}).code == 0);
+  const std::vector<double> own = energies(read_file(folder / "back/own.lammps"));
+  REQUIRE(own.size() == by_table.size());
+  REQUIRE(own.size() > 100);
+  const auto spread = [](const std::vector<double>& list) {
+    double most = 0.0;
+    for (double e : list) most = std::max(most, std::abs(e - list[0]));
+    return most / std::abs(list[0]);
+  };
+  CHECK(by_table[0] == Approx(own[0]).epsilon(1e-9));
+  CHECK(spread(by_table) < 1.2 * spread(own) + 1e-7);
+}
+
+TEST_CASE("lammps: a thermostat holds the temperature of what is brought back") {
+  if (!have_lammps()) return;
+  const Folder folder;
+  REQUIRE(run_scene(folder, std::string(melt) + "scene:field(scene, force.thermostat { rate = 5, temperature = 1.7 })",
+                    {"--until", "4", "--ranks", "2"})
+              .code == 0);
+  const auto brought = state_in(folder);
+  CHECK(temperature(brought->world(), everything(brought->world())) == Approx(1.7).epsilon(0.1));
+}
