@@ -140,6 +140,7 @@ struct Contacts {
   Vec3 slept_position = zero3();        ///< [kg m] sum of mass times position of those of them that nothing ties
   double slept_depth = 0.0;             ///< [m] deepest overlap of those that rest
   bool stale = true;                    ///< positions or shapes changed since they were found
+  std::uint8_t shallow_left = 0;        ///< steps since shallow overlaps were pushed out
 
   DeepestOverlap deepest;
   std::vector<PutOverlap> put;  ///< by shapes, until they are due

@@ -14,9 +14,31 @@ namespace {
 
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
+constexpr double deep = 1e-3;                              // of the size: what is less deep and tied to nothing is
+constexpr std::uint8_t shallow_every = 4;                  // pushed out in each fourth step alone, by as much more
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
 constexpr double most_at_rest = 1e-3;                      // of the size: what opens so much is not at rest
 constexpr double farthest_pushed = 10.0;                   // times the largest opening: what ties hold goes no farther
+
+struct Overlaps {
+  const Model& model;
+  const Articulates& articulates;
+  const Contacts& contacts;
+
+  bool is_deeper(std::size_t k, double than) const { return contacts.list[k].gap < -than * contacts.list[k].size; }
+  bool is_told(std::size_t k) const { return is_deeper(k, told_overlap); }
+  bool is_tied(std::uint32_t thing) const {
+    return island_number(model, articulates.size(), thing) < articulates.size();
+  }
+  /// Whether it does not wait.
+  bool is_urgent(std::size_t k) const {
+    const Contact& c = contacts.list[k];
+    const auto ties = [&] {
+      return is_tied(c.body_a) || (c.body_b >= 0 && is_tied(static_cast<std::uint32_t>(c.body_b)));
+    };
+    return is_deeper(k, deep) || (is_told(k) && ties());
+  }
+};
 
 /// How a thing was displaced [m], [rad], about its centre before.
 struct Displaced {
@@ -75,13 +97,18 @@ void move_along(const Model& model, const std::vector<Displaced>& displaced, Con
 void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
               const TouchSettings& settings, TouchReport& sum) {
   std::vector<char> used(contacts.list.size(), 0);
-  bool any = false;
+  const Overlaps overlaps{model, articulates, contacts};
+  bool any = false, any_urgent = false;
   for (std::size_t k = 0; k < used.size(); k++) {
     const Contact& c = contacts.list[k];
     used[k] = !c.from_before && c.gap <= 0.02 * c.size;
-    any = any || c.gap < -told_overlap * c.size;
+    any = any || overlaps.is_told(k);
+    any_urgent = any_urgent || overlaps.is_urgent(k);
   }
   if (!any) return;
+  const bool shallow_too = ++contacts.shallow_left >= shallow_every;
+  if (shallow_too) contacts.shallow_left = 0;
+  if (!shallow_too && !any_urgent) return;
   const double h = settings.h;
   const std::span<TouchIsland> islands =
       gather(space.opening, space.index, workers, model, articulates, contacts, settings, used);
@@ -89,8 +116,10 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     problem.rolls.clear();
-    const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
-    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
+    const auto any_is = [&](auto which) { return std::any_of(island.contacts.begin(), island.contacts.end(), which); };
+    const bool is_urgent = any_is([&](std::size_t k) { return overlaps.is_urgent(k); });
+    if (!is_urgent && !(shallow_too && any_is([&](std::size_t k) { return overlaps.is_told(k); }))) return;
+    const double part = is_urgent ? pushed_a_step : shallow_every * pushed_a_step;
     const double before = kinetic_energy_now(model, island);
     problem.calm = is_calm(problem, before) ? infinity : -infinity;
     const Vec3 turning = angular_momentum(model, articulates, island.things, settings.drifted);
@@ -103,8 +132,8 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       const double left = left_overlap * from.size;
-      const double wanted = from.gap < -left ? std::max(pushed_a_step * (from.gap + left), -most_a_step * from.size)
-                                             : std::max(from.gap, 0.0);
+      const double wanted =
+          from.gap < -left ? std::max(part * (from.gap + left), -most_a_step * from.size) : std::max(from.gap, 0.0);
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
       largest = std::fmax(largest, -wanted / h);

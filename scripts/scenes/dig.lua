@@ -1,5 +1,5 @@
 -- Stones in a bin, and a shovel that digs in them and tips them out beside it. Press "stop" and drag it yourself.
-local count = scene:param("count", 130, { min = 1, max = 1000, step = 1, help = "stones" })
+local count = scene:param("count", 150, { min = 1, max = 1000, step = 1, help = "stones" })
 local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of stones and shovel" })
 
 scene.title = "Dig"
@@ -9,7 +9,7 @@ scene.camera = { at = vec(2.6, 3.2, 4.6), look_at = vec(0.5, 0.4, 0) }
 scene:floor { height = -0.1, color = "#cdd5c6" }
 
 -- A bin without a lid.
-local long, wide, high, thick = 2.4, 1.4, 0.6, 0.1
+local long, wide, high, thick = 2.4, 0.9, 0.6, 0.1
 local function board(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction }) end
 scene:ground { color = "#8d7a63", shapes = {
   board(long, thick, wide, vec(0, -thick / 2, 0)),
@@ -27,7 +27,7 @@ for i = 1, count do
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
     or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
   stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)),
-                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 60), 0.2 * (i // 10 % 6) - 0.5) }
+                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 40), 0.2 * (i // 10 % 4) - 0.3) }
 end
 
 -- The shovel: a plate with a back and two sides, held at its handle.
