@@ -13,9 +13,9 @@ namespace pantin {
 
 namespace {
 
-constexpr double calm_way = 6e-4;    // of the reach, in a drift: of a calm island
-constexpr double calm_speed = 0.03;  // of what falls by about its reach
-constexpr double calm_fall = 1.0;    // of the speed of a drift's fall, which is farther than tiny things are large
+constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm island
+constexpr double calm_speed = 0.1;  // of what falls by about its reach
+constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
 
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
