@@ -12,6 +12,12 @@
 #include "laws/derivative.hpp"
 
 namespace pantin::player {
+/// A law's outputs as a program, and how many of them are conditions.
+struct LoweredLaw {
+  Program program;
+  std::size_t conditions = 0;
+};
+
 namespace {
 
 const Input distance_square{Role::distance2, 0, 0, {}};
@@ -46,13 +52,8 @@ std::vector<Expr> branch_conditions(Expressions& graph, std::span<const Expr> ou
   return found;
 }
 
-struct Lowered {
-  Program program;
-  std::size_t conditions = 0;
-};
-
 /// Outputs: tension / distance, its derivative by the square of the distance, the energy if there is one, conditions.
-Lowered lower_law(const Law& law) {
+LoweredLaw lower_law(const Law& law) {
   Expressions graph = law.graph;
   std::vector<Expr> outputs = law.force;
   if (law.energy != no_expression) outputs.push_back(law.energy);
@@ -71,14 +72,19 @@ const Law& checked(const std::string& name, const Law& law) {
 
 }  // namespace
 
-LawOfDistance::LawOfDistance(std::string name, const Law& law, std::span<const double> parameters,
+LawOfDistance::LawOfDistance(const std::string& name, const Law& law, std::span<const double> parameters,
                              const std::function<double(int, const std::string&)>& attribute)
-    : name_(std::move(name)),
-      has_energy_(checked(name_, law).has_energy()),
-      machine_(lower_law(law).program),
+    : LawOfDistance(lower_law(checked(name, law)), name, law, parameters, attribute) {}
+
+LawOfDistance::LawOfDistance(const LoweredLaw& lowered, const std::string& name, const Law& law,
+                             std::span<const double> parameters,
+                             const std::function<double(int, const std::string&)>& attribute)
+    : name_(name),
+      has_energy_(law.has_energy()),
+      machine_(lowered.program),
       distance2_(machine_.input(distance_square)),
-      conditions_(lower_law(law).conditions) {
-  for (const Input& input : lower_law(law).program.inputs) {
+      conditions_(lowered.conditions) {
+  for (const Input& input : lowered.program.inputs) {
     const int at = machine_.input(input);
     if (input.role == Role::attribute) machine_.fill(at, attribute(input.who, input.name));
     for (std::size_t i = 0; input.role == Role::parameter && i < parameters.size(); i++)

@@ -44,6 +44,8 @@ struct LawTable {
   double to() const { return r.back(); }
 };
 
+struct LoweredLaw;
+
 /// A law with all that it reads but the distance. Throws Error, which names the law by `name`, for a law that is no function
 /// of distance alone.
 class LawOfDistance {
@@ -54,7 +56,7 @@ class LawOfDistance {
     double slope = 0.0;   ///< [N/m] of the force by distance
   };
 
-  LawOfDistance(std::string name, const Law& law, std::span<const double> parameters,
+  LawOfDistance(const std::string& name, const Law& law, std::span<const double> parameters,
                 const std::function<double(int who, const std::string& attribute)>& attribute);
 
   const std::string& name() const { return name_; }
@@ -71,6 +73,8 @@ class LawOfDistance {
   int distance2_;
   std::size_t conditions_;  ///< differences that change their sign where branches meet, after the other outputs
 
+  LawOfDistance(const LoweredLaw& lowered, const std::string& name, const Law& law, std::span<const double> parameters,
+                const std::function<double(int who, const std::string& attribute)>& attribute);
   void run(std::span<const double> r, const std::function<void(std::size_t)>& read);
   std::vector<std::vector<double>> conditions_at(std::span<const double> r);
 };

@@ -4,28 +4,22 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
-#include "base/bounds.hpp"
-#include "base/near_positions.hpp"
 #include "forces/forces.hpp"
 #include "measure/measure.hpp"
 #include "player/lammps/formula.hpp"
+#include "player/lammps/near_distances.hpp"
 #include "player/lammps/refused.hpp"
+#include "player/lammps/system_fields.hpp"
 
 namespace pantin::player {
 namespace {
 
-constexpr std::size_t most_types = 300, most_pair_tables = 1000, most_bond_tables = 500, most_fields = 30;
-constexpr std::size_t most_looked_at = 100000;
+constexpr std::size_t most_types = 300, most_pair_tables = 1000, most_bond_tables = 500;
 constexpr std::size_t most_bond_points = std::size_t{1} << 23;
-
-std::vector<Input> inputs_of_law(const Law& law) {
-  std::vector<Expr> outputs = law.force;
-  if (law.energy != no_expression) outputs.push_back(law.energy);
-  return law.graph.inputs_of(outputs);
-}
 
 /// Attributes that laws at work read, but for the mass.
 std::vector<std::string> attributes_read(const World& world) {
@@ -57,15 +51,15 @@ class SystemMaker {
   LammpsSystem make() {
     made_.attributes = attributes_read(world_);
     list_atoms();
-    find_near();
+    near_.emplace(world_, made_);
+    made_.nearest = near_->nearest();
     for (ConnectionId id : world_.connections.ids())
       if (world_.connections[id].enabled) note(world_.connections[id]);
     settle_exclusions();
     for (InteractionId id : world_.interactions.ids())
       if (world_.interactions[id].enabled) add(world_.interactions[id]);
     add_bonds();
-    for (FieldId id : world_.fields.ids())
-      if (world_.fields[id].enabled) add(id);
+    add_fields(world_, made_);
     note_sizes();
     return std::move(made_);
   }
@@ -82,19 +76,11 @@ class SystemMaker {
 
   const World& world_;
   LammpsSystem made_;
-  std::vector<std::uint32_t> atom_of_;                                       // (slots of particles)
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> near_;  // of two types [m]
-  double spacing_ = 0.0;                                                     // [m] no pair that was not found is nearer
-  double near_pairs_ = 0.0;                                                  // how many are as near as that
+  std::vector<std::uint32_t> atom_of_;  // (slots of particles)
+  std::optional<NearDistances> near_;
   std::map<const Law*, std::string> identities_;
   std::map<std::pair<std::string, Key>, std::size_t> pair_tables_;
   std::map<std::pair<std::string, Key>, BondKind> bond_kinds_;
-
-  double attribute_of(const AtomType& type, const std::string& name) const {
-    if (name == "mass") return type.mass;
-    const auto at = std::ranges::find(made_.attributes, name) - made_.attributes.begin();
-    return type.values[static_cast<std::size_t>(at)];
-  }
 
   void list_atoms() {
     made_.atoms = world_.particles.ids();
@@ -160,68 +146,6 @@ class SystemMaker {
 
   Box box() const { return {world_.settings.box.value_or(zero3())}; }
 
-  bool apart(std::uint32_t a, std::uint32_t b) const {
-    return made_.body_of[a] == 0 || made_.body_of[a] != made_.body_of[b];
-  }
-
-  /// How far each two types are from each other, looked for as far as the mean distance around some of the particles.
-  void find_near() {
-    std::vector<Vec3> positions;
-    Bounds bounds;
-    for (ParticleId id : made_.atoms) {
-      positions.push_back(box().wrapped(position(world_, id)));
-      bounds.add(positions.back());
-    }
-    const Vec3 size = world_.settings.box.value_or(bounds.high - bounds.low);
-    double longest = std::max({size[0], size[1], size[2]}), volume = 1.0;
-    if (longest == 0.0) longest = 1.0;
-    const double count = static_cast<double>(positions.size());
-    for (int k = 0; k < 3; k++) volume *= std::max(size[k], longest / count);
-    made_.nearest = spacing_ = 1.3 * std::cbrt(volume / count);
-    const NearPositions grid(positions, spacing_);
-    const std::size_t stride = std::max<std::size_t>(1, positions.size() / most_looked_at);
-    std::size_t looked_at = 0, found = 0;
-    for (std::uint32_t a = 0; a < positions.size(); a += static_cast<std::uint32_t>(stride), looked_at++)
-      each_image(positions[a], [&](Vec3 image) {
-        grid.each(image, [&](std::uint32_t b) {
-          if (a == b || !apart(a, b)) return;
-          note_near(a, b, norm(positions[b] - image));
-          found++;
-        });
-      });
-    near_pairs_ = 0.5 * count * static_cast<double>(found) / static_cast<double>(looked_at);
-  }
-
-  void note_near(std::uint32_t a, std::uint32_t b, double distance) {
-    require(distance > 0.0, describe(world_, made_.atoms[a]), " and ", describe(world_, made_.atoms[b]),
-            " are at one position; LAMMPS cannot have that");
-    const auto i = static_cast<std::size_t>(made_.type_of[a] - 1), j = static_cast<std::size_t>(made_.type_of[b] - 1);
-    near_[{std::min(i, j), std::max(i, j)}].push_back(distance);
-    made_.nearest = std::min(made_.nearest, distance);
-  }
-
-  /// Calls `visit` with the images of a position of the box from which something in it may be near.
-  template <class Visit>
-  void each_image(Vec3 x, Visit visit) const {
-    const Vec3 edge = box().edge;
-    const auto first = [&](int k) { return edge[k] > 0.0 && x[k] >= edge[k] - spacing_ ? -1 : 0; };
-    const auto last = [&](int k) { return edge[k] > 0.0 && x[k] <= spacing_ ? 1 : 0; };
-    for (int i = first(0); i <= last(0); i++)
-      for (int j = first(1); j <= last(1); j++)
-        for (int k = first(2); k <= last(2); k++) visit(x + vec(i * edge[0], j * edge[1], k * edge[2]));
-  }
-
-  /// Distances of particles that an interaction acts on, as far as they were looked for; at least one.
-  std::vector<double> distances(const Interaction& row) const {
-    std::vector<double> list;
-    for (const auto& [types, near] : near_) {
-      const FamilyId i = made_.types[types.first].family, j = made_.types[types.second].family;
-      if ((i == row.a && j == row.b) || (i == row.b && j == row.a)) list.insert(list.end(), near.begin(), near.end());
-    }
-    if (list.empty()) list.push_back(spacing_);
-    return list;
-  }
-
   /// Laws that a script wrote alike twice are one.
   std::string identity(const std::shared_ptr<const Law>& law) {
     const auto [at, is_new] = identities_.try_emplace(law.get(), "");
@@ -241,7 +165,9 @@ class SystemMaker {
   /// The table of a law between two types, the first of them what the law calls a.
   std::size_t pair_table(const Interaction& row, const std::vector<double>& near, std::size_t a, std::size_t b) {
     const AtomType &first = made_.types[a], &second = made_.types[b];
-    const auto value = [&](int who, const std::string& name) { return attribute_of(who == 0 ? first : second, name); };
+    const auto value = [&](int who, const std::string& name) {
+      return attribute_of(made_, who == 0 ? first : second, name);
+    };
     double cutoff = row.law->cutoff;
     if (row.law->touching) cutoff = std::min(cutoff, value(0, "radius") + value(1, "radius"));
     Key key = row.parameters;
@@ -283,7 +209,7 @@ class SystemMaker {
   void add(const Interaction& row) {
     std::vector<PairCoefficient> list;
     std::set<std::pair<int, int>> taken;
-    const std::vector<double> near = distances(row);
+    const std::vector<double> near = near_->of(row);
     for (std::size_t a = 0; a < made_.types.size(); a++)
       for (std::size_t b = 0; b < made_.types.size(); b++) {
         if (made_.types[a].family != row.a || made_.types[b].family != row.b) continue;
@@ -357,7 +283,7 @@ class SystemMaker {
     for (double value : row.parameters) key.push_back(merged(value));
     for (const Input& input : inputs_of_law(*row.law))
       if (input.role == Role::attribute)
-        key.push_back(merged(attribute_of(type_at(row.particles[input.who]), input.name)));
+        key.push_back(merged(attribute_of(made_, type_at(row.particles[input.who]), input.name)));
     BondKind& kind = bond_kinds_[{identity(row.law), key}];
     if (!kind.first) kind.first = &row;
     const double length = norm(box().nearest(position(world_, row.particles[1]) - position(world_, row.particles[0])));
@@ -401,7 +327,7 @@ class SystemMaker {
 
   auto value_at(const Connection& row) const {
     return [this, &row](int who, const std::string& name) {
-      return attribute_of(type_at(row.particles[static_cast<std::size_t>(who)]), name);
+      return attribute_of(made_, type_at(row.particles[static_cast<std::size_t>(who)]), name);
     };
   }
 
@@ -432,64 +358,11 @@ class SystemMaker {
             " s, which are explicit; try --set scene.step=", rounded(1.0 / std::sqrt(rate2)));
   }
 
-  void add(FieldId id) {
-    const Field& row = world_.fields[id];
-    std::map<Key, std::vector<int>> by_values;
-    for (std::size_t i = 0; i < made_.types.size(); i++) {
-      const AtomType& type = made_.types[i];
-      if (row.family && type.family != row.family) continue;
-      if (row.group && std::ranges::find(type.of_group, id) == type.of_group.end()) continue;
-      Key key;
-      for (const Input& input : inputs_of_law(*row.law))
-        if (input.role == Role::attribute && !row.law->thermal) key.push_back(attribute_of(type, input.name));
-      by_values[key].push_back(static_cast<int>(i) + 1);
-    }
-    for (const auto& [key, types] : by_values) {
-      require(made_.fields.size() + made_.baths.size() < most_fields, place_of(row), ": LAMMPS has at most ",
-              most_fields, " groups, one for each field and value that it reads; give the particles fewer values");
-      if (row.law->thermal)
-        add_bath(row, types);
-      else
-        made_.fields.push_back(field(row, types));
-    }
-  }
-
-  void add_bath(const Field& row, const std::vector<int>& types) {
-    LammpsBath bath{types, 0.0, 0.0};
-    for (std::size_t i = 0; i < row.parameters.size(); i++) {
-      if (row.law->parameters[i].name == "temperature")
-        bath.temperature = row.parameters[i] * world_.settings.boltzmann;
-      if (row.law->parameters[i].name == "rate") bath.rate = row.parameters[i];
-    }
-    if (bath.rate > 0.0) made_.baths.push_back(bath);
-  }
-
-  LammpsField field(const Field& row, const std::vector<int>& types) const {
-    const Law& law = *row.law;
-    const AtomType& type = made_.types[static_cast<std::size_t>(types[0]) - 1];
-    const auto value_of = [&](const Input& input) -> std::string {
-      constexpr const char* coordinates[] = {"x", "y", "z"};
-      if (input.role == Role::position) return coordinates[input.component];
-      double x = world_.time;
-      if (input.role == Role::attribute) x = attribute_of(type, input.name);
-      for (std::size_t i = 0; input.role == Role::parameter && i < row.parameters.size(); i++)
-        if (law.parameters[i].name == input.name) x = row.parameters[i];
-      return x < 0.0 ? "(" + to_text(x) + ")" : to_text(x);
-    };
-    try {
-      LammpsField made{place_of(row), types, {}, ""};
-      for (std::size_t k = 0; k < 3; k++)
-        made.force[k] = formula(law.graph, law.force[k], FormulaFor::variable, value_of);
-      if (law.energy != no_expression) made.energy = formula(law.graph, law.energy, FormulaFor::variable, value_of);
-      return made;
-    } catch (const Error& error) { throw Error(text(place_of(row), ": LAMMPS has no such field: ", error.what())); }
-  }
-
   /// What sums of energies and forces come to, whatever their signs.
   void note_sizes() {
     double usual = 0.0;
     for (const LammpsTable& t : made_.pair_tables) usual = std::max(usual, t.table.usual_energy);
-    made_.energy_size = usual * near_pairs_;
+    made_.energy_size = usual * near_->pairs();
     for (const LammpsBond& bond : made_.bonds)
       made_.energy_size += made_.bond_tables[static_cast<std::size_t>(bond.type) - 1].table.usual_energy;
     for (const auto* list : {&made_.pair_tables, &made_.bond_tables})
@@ -500,6 +373,18 @@ class SystemMaker {
 }  // namespace
 
 LammpsSystem lammps_system(const World& world, double error) { return SystemMaker(world, error).make(); }
+
+double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name) {
+  if (name == "mass") return type.mass;
+  const auto at = std::ranges::find(system.attributes, name) - system.attributes.begin();
+  return type.values[static_cast<std::size_t>(at)];
+}
+
+std::vector<Input> inputs_of_law(const Law& law) {
+  std::vector<Expr> outputs = law.force;
+  if (law.energy != no_expression) outputs.push_back(law.energy);
+  return law.graph.inputs_of(outputs);
+}
 
 std::string describe(const World& world, const LammpsSystem& system, const AtomType& type) {
   std::string all = type.family ? world.families[type.family].name : std::string("of no family");

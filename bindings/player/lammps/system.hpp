@@ -82,6 +82,12 @@ struct LammpsSystem {
 /// What LAMMPS is given of the present state, with tables of a wanted error. Throws Error for what it cannot be given.
 LammpsSystem lammps_system(const World& world, double error);
 
+/// The mass, or what a law reads of particles of a type.
+double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name);
+
+/// What a law's force and energy read.
+std::vector<Input> inputs_of_law(const Law& law);
+
 /// "atoms 'tail' of mass 1, charge 0.5": what a type is.
 std::string describe(const World& world, const LammpsSystem& system, const AtomType& type);
 
