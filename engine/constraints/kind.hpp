@@ -1,6 +1,6 @@
 #pragma once
 // What the engine knows of a kind of constraint: one file of this folder fills one entry of the table, and whoever deals
-// with constraints asks the table. Their list is model/constraint_kinds.hpp. How to add one: assets/pages/house.md.
+// with constraints asks the table. Their list is model/constraint_kinds.hpp. How to add one: assets/pages/adding.md.
 #include <array>
 #include <cstdint>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 // What each kind of row asks for. A kind is one file that fills one RowRule: what it is to the solver, the residual of the row
 // at the end of a step with its derivative, its part in the velocity projection, and the gap that the fallback step closes.
-// How to add one: assets/pages/house.md.
+// How to add one: assets/pages/adding.md.
 #include "constraints/row.hpp"
 
 namespace pantin {
