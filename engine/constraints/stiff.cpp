@@ -4,8 +4,8 @@
 // rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
 //   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
-// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ_s (rate - u). That gives κ_s u²/4 at most,
-// and κ_s <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
+// end of the full sub-step the rate of its distance is drawn to u by an impulse -m_s (rate - u). That gives m_s u²/4 at most,
+// and m_s <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
 // ζ = h c μ and ν² = h² k μ are, μ the row's mobility.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "constraints/stiff.hpp"

@@ -19,7 +19,7 @@ struct StiffBond {
   std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
   bool damping_known = false;     // of the step being solved, as are:
   double damping = 0.0;           // [N s/m] beyond that of its curves
-  double settling = 0.0;          // [kg] κ_s, and what it draws to:
+  double settling = 0.0;          // [kg] m_s, and what it draws to:
   double mean_rate = 0.0;         // [m/s] of the distance over the step
 
   /// Whether it takes energy or gives it.

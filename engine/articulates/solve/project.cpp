@@ -178,7 +178,7 @@ void tell_momenta(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
 }
 
-/// Fills and factorises S1 at the nodes' starts for what the rows forbid there; what settles has 1/κ_s on its diagonal.
+/// Fills and factorises S1 at the nodes' starts for what the rows forbid there; what settles has 1/m_s on its diagonal.
 void factorise_projection(Articulate& a, double epsilon) {
   set_kept_matrices(a);
   for (Node& n : a.nodes) put_end_at_start(n);
