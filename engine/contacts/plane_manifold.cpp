@@ -99,8 +99,9 @@ void add_lowest(const Lowest& plane, const std::shared_ptr<const Hull>& hull) {
   }
 }
 
-template <class Other>
-void add_lowest(const Lowest&, const Other&) {}
+void add_lowest(const Lowest&, const HalfSpaceShape&) {}
+void add_lowest(const Lowest&, const std::shared_ptr<const TriangleMesh>&) {}
+void add_lowest(const Lowest&, const std::shared_ptr<const HeightField>&) {}
 
 }  // namespace
 

@@ -18,9 +18,12 @@ struct MakeCore {
   Core operator()(const std::shared_ptr<const Hull>& hull) const {
     return {Core::Kind::hull, zero3(), hull.get(), 0.0};
   }
-  template <class Other>
-  Core operator()(const Other&) const {
-    assume(false);
+  Core operator()(const HalfSpaceShape&) const { return none(); }
+  Core operator()(const std::shared_ptr<const TriangleMesh>&) const { return none(); }
+  Core operator()(const std::shared_ptr<const HeightField>&) const { return none(); }
+
+  static Core none() {
+    assume(false);  // not convex
     return {Core::Kind::point, zero3(), nullptr, 0.0};
   }
 };

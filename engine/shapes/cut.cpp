@@ -51,10 +51,9 @@ struct AsHull {
     return make_hull(corners);
   }
   HullPtr operator()(const HullPtr& hull) const { return hull; }
-  template <class Other>
-  HullPtr operator()(const Other&) const {
-    return nullptr;
-  }
+  HullPtr operator()(const HalfSpaceShape&) const { return nullptr; }
+  HullPtr operator()(const std::shared_ptr<const TriangleMesh>&) const { return nullptr; }
+  HullPtr operator()(const std::shared_ptr<const HeightField>&) const { return nullptr; }
 };
 
 }  // namespace

@@ -66,10 +66,11 @@ struct SolidMassOf {
     const Vec3 centre = sums.first / sums.volume;
     return {sums.volume, origin + centre, inertia_of(sums.second - outer(centre, centre) * sums.volume)};
   }
-  template <class Other>
-  SolidMass operator()(const Other&) const {
-    refuse("Half spaces, meshes and height fields have no mass: they do not move.");
-  }
+  SolidMass operator()(const HalfSpaceShape&) const { none(); }
+  SolidMass operator()(const std::shared_ptr<const TriangleMesh>&) const { none(); }
+  SolidMass operator()(const std::shared_ptr<const HeightField>&) const { none(); }
+
+  [[noreturn]] static void none() { refuse("Half spaces, meshes and height fields have no mass: they do not move."); }
 };
 
 }  // namespace

@@ -209,8 +209,10 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
 bool adapt(SubSteps& n, double rate, double accuracy) {
   if (rate > accuracy) {
     while (rate > accuracy && n.count < sub_step_limit) {
-      n.count = static_cast<std::uint16_t>(2 * n.count);
-      rate /= second_order;
+      const auto count = static_cast<std::uint16_t>(std::min(2 * n.count, int{sub_step_limit}));
+      const double finer = static_cast<double>(count) / n.count;
+      n.count = count;
+      rate /= finer * finer;
     }
     n.quiet = 0;
     return !(rate > accuracy);
