@@ -187,14 +187,33 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
       "K=VALUES", check_setting);
   command->add_option("--seeds", sweep.seeds, "Of math.random: 1:100 or 1,5,9")->type_name("FIRST:LAST");
   command
-      ->add_option("--sample", sweep.sample,
-                   "Draws so many cases of the ranges (a Latin hypercube) in place of all combinations")
+      ->add_option(
+          "--sample", sweep.sample,
+          "Draws so many cases of the ranges (a Latin hypercube) in place of all combinations; of a search, how "
+          "many it has [100 for each range]")
       ->check(CLI::Range(1.0, 1e7))
       ->type_name("N");
+  CLI::Option* best = command
+                          ->add_option("--best", sweep.wanted.column,
+                                       "Searches the ranges, FROM:TO, for the values that make this column largest: "
+                                       "what scene:result told, or of a probe --best \"height last\"")
+                          ->type_name("COLUMN");
+  command
+      ->add_option_function<std::string>(
+          "--least",
+          [&sweep](const std::string& column) {
+            sweep.wanted = {column, true};
+          },
+          "The same, for smallest")
+      ->excludes(best)
+      ->type_name("COLUMN");
   command->add_option("--out", sweep.out, "The table: a row a case")
       ->required()
       ->check(check_table)
       ->type_name("FILE.csv");
+  command->add_flag("--retry-failed", sweep.retry_failed,
+                    "Of a sweep that was finished or stopped, runs the failed cases again, with another limit if you "
+                    "like, and keeps the others");
   command->add_option("--jobs", sweep.jobs, "Processes; 0: one for each processor. The table is the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");

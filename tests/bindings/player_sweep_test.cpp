@@ -235,6 +235,71 @@ TEST_CASE("sweep: where all cases fail the exit code tells, and the first error"
   CHECK(rows_of(read_file(folder / "t.csv")).size() == 3);
 }
 
+TEST_CASE("sweep: --retry-failed runs failed cases again, with another limit, and keeps the others") {
+  Folder folder;
+  write_file(folder / "slow.lua", R"(
+    local loops = scene:param("loops", 1)
+    require("factor")
+    for i = 1, loops do end
+  )");
+  write_file(folder / "factor.lua", "return 1");
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"sweep", "slow.lua", "--set",   "loops=300000000,1,2", "--until", "0.01",
+                                          "--out", "t.csv",    "--timed", "--script-limit"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return use(folder, arguments);
+  };
+  const Finished first = run({"0.1"});
+  CHECK(first.out == "3 cases, 1 of them failed: t.csv\n");
+  CHECK_THAT(first.err, Contains("--retry-failed") && Contains("t.csv.journal"));
+  const auto before = rows_of(read_file(folder / "t.csv"));
+  CHECK_THAT(before.at(1), Contains("did not come back"));
+  const std::string journal = read_file(folder / "t.csv.journal");
+  const auto refused = [&](const char* why) {
+    const Finished again = run({"100", "--retry-failed"});
+    CHECK(again.code == 2);
+    CHECK_THAT(again.err, Contains(why));
+  };
+  write_file(folder / "factor.lua", "return 2");  // the failed case was the first to read it
+  refused("factor.lua was changed");
+  write_file(folder / "factor.lua", "return 1");
+  std::string altered = journal;
+  altered[altered.find("\"steps\"") + 1] = 'S';
+  write_file(folder / "t.csv.journal", altered);
+  refused("this line was changed");
+  write_file(folder / "t.csv.journal", journal);
+  const Finished again = run({"100", "--retry-failed"});
+  CHECK(again.out == "3 cases, 0 of them failed: t.csv\n");
+  const auto after = rows_of(read_file(folder / "t.csv"));
+  CHECK(after.at(1) != before.at(1));
+  CHECK(std::vector(after.begin() + 2, after.end()) ==
+        std::vector(before.begin() + 2, before.end()));  // `seconds`, too
+  CHECK(folder.files() == std::vector<std::string>{"factor.lua", "slow.lua", "t.csv"});
+  refused("nothing to run again");
+  CHECK(folder.files() == std::vector<std::string>{"factor.lua", "slow.lua", "t.csv"});
+}
+
+TEST_CASE(
+    "sweep: where cases failed, the same command begins anew, of a changed scene, too; --retry-failed is then "
+    "refused") {
+  Folder folder;
+  REQUIRE(sweep_pendulum(folder, {"--set", "length=4,5"}).code == 0);
+  CHECK(folder.files() == std::vector<std::string>{"pendulum.lua", "t.csv", "t.csv.journal"});
+  write_file(folder / "pendulum.lua", std::string(pendulum) + "scene:result('more', 1)");
+  std::vector<std::string> same = {"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv", "--set", "length=4,5"};
+  same.emplace_back("--retry-failed");
+  CHECK_THAT(use(folder, same).err, Contains("another sweep, or its scene was changed"));
+  same.pop_back();
+  const Finished again = use(folder, same);
+  CHECK(again.out == "2 cases, 1 of them failed: t.csv\n");
+  CHECK(again.err.find("going on") == std::string::npos);
+  CHECK_THAT(read_file(folder / "t.csv"), Contains(",more,"));
+  const Finished searched = use(
+      folder, {"sweep", "pendulum.lua", "--out", "t.csv", "--set", "length=4:5", "--best", "noise", "--retry-failed"});
+  CHECK(searched.code == 2);
+  CHECK_THAT(searched.err, Contains("of no use to --best"));
+}
+
 TEST_CASE("sweep: fractions are numbers in the table, and whole numbers are drawn evenly") {
   CHECK(values_of(player::read_axis("a=1/4:1/2:2")) == std::vector<std::string>{"0.25", "0.5"});
   CHECK(values_of(player::read_axis("a=-1e308:1e308:3")) == std::vector<std::string>{"-1e+308", "0", "1e+308"});
@@ -246,6 +311,20 @@ TEST_CASE("sweep: fractions are numbers in the table, and whole numbers are draw
   Folder folder;
   REQUIRE(sweep_pendulum(folder, {"--set", "scene.step=1/60,1/240"}).code == 0);
   CHECK_THAT(rows_of(read_file(folder / "t.csv")).at(2), Contains("1,0.004166666666666667,"));
+}
+
+TEST_CASE("sweep: whole numbers of a range that is logarithmic are drawn evenly in the logarithm") {
+  player::Axis whole = player::read_axis("n=1:100:log");
+  whole.whole = true;
+  CHECK(whole.value_at(0.0) == "1");
+  CHECK(whole.value_at(1.0) == "100");
+  int below_ten = 0;
+  for (std::uint64_t i = 0; i < 300; i++)
+    below_ten += std::stod(player::Cases({whole}, 300).settings(i)[0].second) < 10 ? 1 : 0;
+  CHECK(below_ten == Approx(300 * std::log(9.5 / 0.5) / std::log(100.5 / 0.5)).margin(2));
+  Folder folder;
+  CHECK_THAT(sweep_pendulum(folder, {"--set", "links=2.2:2.8", "--sample", "5"}).err,
+             Contains("there is none from 2.2"));
 }
 
 TEST_CASE("sweep: names that are those of columns are told apart") {

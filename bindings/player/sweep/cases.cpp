@@ -6,7 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "base/random.hpp"
 #include "player/csv.hpp"
 #include "scene/errors.hpp"
 
@@ -70,6 +69,10 @@ std::string Axis::value_at(double part) const {
     return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
   if (!whole) return number_text(between(part));
   const double least = std::ceil(std::min(from, to)), largest = std::floor(std::max(from, to));
+  if (logarithmic) {
+    const double low = std::log(least - 0.5), high = std::log(largest + 0.5);
+    return number_text(std::clamp(std::round(std::exp(low + part * (high - low))), least, largest));
+  }
   return number_text(std::min(largest, std::floor(least + part * (largest - least + 1.0))));
 }
 
@@ -116,7 +119,21 @@ Axis read_seeds(const std::string& seeds) {
         throw UsageError(text("--seeds ", seeds, ": must be FIRST:LAST or a list of whole numbers, 1,5,9"));
   }
   axis.name = "scene.seed";
+  axis.of_seeds = true;
   return axis;
+}
+
+std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::uint64_t points, Random& random) {
+  std::vector<std::vector<double>> all;
+  for (std::size_t d = 0; d < dimensions; d++) {
+    std::vector<double> parts(points);
+    std::iota(parts.begin(), parts.end(), 0.0);
+    for (std::size_t i = parts.size(); i > 1; i--)
+      std::swap(parts[i - 1], parts[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
+    for (double& part : parts) part = (part + random.uniform()) / static_cast<double>(points);
+    all.push_back(std::move(parts));
+  }
+  return all;
 }
 
 Cases::Cases(std::vector<Axis> axes, std::uint64_t sample) : axes_(std::move(axes)) {
@@ -133,14 +150,19 @@ Cases::Cases(std::vector<Axis> axes, std::uint64_t sample) : axes_(std::move(axe
   count_ = static_cast<std::uint64_t>(all);
   if (sample == 0) return;
   Random random{seed_of_samples, 0};
-  for (std::size_t a = 0; a < axes_.size(); a++) {
-    std::vector<double> parts(count_);
-    std::iota(parts.begin(), parts.end(), 0.0);
-    for (std::size_t i = parts.size(); i > 1; i--)
-      std::swap(parts[i - 1], parts[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
-    for (double& part : parts) part = (part + random.uniform()) / static_cast<double>(count_);
-    parts_.push_back(std::move(parts));
-  }
+  parts_ = latin_hypercube(axes_.size(), count_, random);
+}
+
+Cases Cases::unplaced(std::vector<Axis> axes, std::uint64_t count) {
+  Cases cases;
+  cases.parts_.assign(axes.size(), std::vector<double>(count));
+  cases.axes_ = std::move(axes);
+  cases.count_ = count;
+  return cases;
+}
+
+void Cases::place(std::uint64_t number, const std::vector<double>& parts) {
+  for (std::size_t a = 0; a < parts.size(); a++) parts_[a][number] = parts[a];
 }
 
 std::vector<std::pair<std::string, std::string>> Cases::settings(std::uint64_t number) const {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
 #include <thread>
 #include <vector>
 
@@ -37,6 +36,19 @@ bool wait_for_message(int from, MPI_Status& status) {
   return false;
 }
 
+void send(const std::string& text, int rank, int tag) {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag, MPI_COMM_WORLD);
+}
+
+/// The text of a message that has come.
+std::string receive(const MPI_Status& status) {
+  int size = 0;
+  MPI_Get_count(&status, MPI_CHAR, &size);
+  std::string text(static_cast<std::size_t>(size), ' ');
+  MPI_Recv(text.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return text;
+}
+
 }  // namespace
 
 Ranks::Ranks() {
@@ -52,47 +64,41 @@ Ranks::~Ranks() {
 
 void Ranks::dismiss() {
   for (int rank = 1; rank < count_ && !dismissed_; rank++)
-    MPI_Send(nullptr, 0, MPI_UINT64_T, rank, end_tag, MPI_COMM_WORLD);
+    MPI_Send(nullptr, 0, MPI_CHAR, rank, end_tag, MPI_COMM_WORLD);
   dismissed_ = true;
 }
 
-bool Ranks::hand_out(const std::function<std::optional<std::uint64_t>()>& next,
-                     const std::function<void(std::uint64_t, const std::string&)>& done) {
-  std::vector<std::deque<std::uint64_t>> pieces(static_cast<std::size_t>(count_));
+bool Ranks::hand_out(const std::function<std::optional<std::string>()>& next,
+                     const std::function<void(const std::string&)>& done) {
+  std::vector<int> pieces(static_cast<std::size_t>(count_));  // that each rank has
   int busy = 0;
-  const auto give = [&](int rank) {
-    const auto piece = next();
-    if (!piece) return;
-    pieces[static_cast<std::size_t>(rank)].push_back(*piece);
-    MPI_Send(&*piece, 1, MPI_UINT64_T, rank, piece_tag, MPI_COMM_WORLD);
-    busy++;
+  const auto give = [&] {
+    for (int most = 1; most <= 2; most++)  // so that none waits for its next
+      for (int rank = 1; rank < count_; rank++) {
+        int& has = pieces[static_cast<std::size_t>(rank)];
+        if (has >= most) continue;
+        const auto piece = next();
+        if (!piece) return;
+        send(*piece, rank, piece_tag);
+        has++;
+        busy++;
+      }
   };
-  for (int ahead = 0; ahead < 2; ahead++)  // so that none waits for its next
-    for (int rank = 1; rank < count_; rank++) give(rank);
-  while (busy > 0) {
+  for (give(); busy > 0; give()) {
     MPI_Status status;
     if (!wait_for_message(MPI_ANY_SOURCE, status)) return false;
-    int size = 0;
-    MPI_Get_count(&status, MPI_CHAR, &size);
-    std::string result(static_cast<std::size_t>(size), ' ');
-    MPI_Recv(result.data(), size, MPI_CHAR, status.MPI_SOURCE, result_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    const std::string result = receive(status);
     busy--;
-    auto& waiting = pieces[static_cast<std::size_t>(status.MPI_SOURCE)];
-    done(waiting.front(), result);
-    waiting.pop_front();
-    give(status.MPI_SOURCE);
+    pieces[static_cast<std::size_t>(status.MPI_SOURCE)]--;
+    done(result);
   }
   dismiss();
   return true;
 }
 
-void Ranks::serve(const std::function<std::string(std::uint64_t)>& work) {
-  for (MPI_Status status; wait_for_message(0, status) && status.MPI_TAG == piece_tag;) {
-    std::uint64_t piece = 0;
-    MPI_Recv(&piece, 1, MPI_UINT64_T, 0, piece_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    const std::string result = work(piece);
-    MPI_Send(result.data(), static_cast<int>(result.size()), MPI_CHAR, 0, result_tag, MPI_COMM_WORLD);
-  }
+void Ranks::serve(const std::function<std::string(const std::string&)>& work) {
+  for (MPI_Status status; wait_for_message(0, status) && status.MPI_TAG == piece_tag;)
+    send(work(receive(status)), 0, result_tag);
 }
 
 #else
@@ -105,11 +111,11 @@ Ranks::Ranks() {
 
 Ranks::~Ranks() = default;
 void Ranks::dismiss() { dismissed_ = true; }
-bool Ranks::hand_out(const std::function<std::optional<std::uint64_t>()>&,
-                     const std::function<void(std::uint64_t, const std::string&)>&) {
+bool Ranks::hand_out(const std::function<std::optional<std::string>()>&,
+                     const std::function<void(const std::string&)>&) {
   return count_ > 0;
 }
-void Ranks::serve(const std::function<std::string(std::uint64_t)>&) {}
+void Ranks::serve(const std::function<std::string(const std::string&)>&) {}
 
 #endif
 

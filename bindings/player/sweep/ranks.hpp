@@ -1,6 +1,5 @@
 #pragma once
-// The processes that mpirun or Slurm started: the first hands out numbered pieces of work, the others do them.
-#include <cstdint>
+// The processes that mpirun or Slurm started: the first hands out pieces of work as texts, the others do them.
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,12 +18,12 @@ class Ranks {
   Ranks& operator=(const Ranks&) = delete;
 
   bool first() const { return rank_ == 0; }
-  /// Of the first: asks `next` for work until it has none, and tells `done` of each as it ends. False where Ctrl-C came before
+  /// Of the first: asks `next` for work until it has none though all is done, and tells `done` of each result. False where Ctrl-C came before
   /// all was done. The others are then told to end.
-  bool hand_out(const std::function<std::optional<std::uint64_t>()>& next,
-                const std::function<void(std::uint64_t, const std::string&)>& done);
+  bool hand_out(const std::function<std::optional<std::string>()>& next,
+                const std::function<void(const std::string& result)>& done);
   /// Of the others: until they are told to end.
-  void serve(const std::function<std::string(std::uint64_t)>& work);
+  void serve(const std::function<std::string(const std::string&)>& work);
   /// Of the first, where it goes no farther: the others end, too.
   void dismiss();
 

@@ -76,6 +76,8 @@ const std::string& cell_of(const Cells& cells, const std::string& name) {
   return empty;
 }
 
+bool is_measure(const std::string& name) { return name == "case" || std::ranges::count(measures, name); }
+
 /// A fraction as the number that it is; another text as it is.
 std::string as_number(const std::string& value) {
   if (value.find('/') == std::string::npos) return value;
@@ -105,16 +107,19 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
   return row;
 }
 
+std::string error_of(const CaseRow& row) { return cell_of(row.measured, "error"); }
+
+std::string told_column(const Cases& cases, const std::string& name) {
+  const bool is_set = std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
+  return is_set || is_measure(name) ? name + " told" : name;
+}
+
 std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed) {
   std::vector<std::string> told;
   for (const auto& [number, row] : rows) add_names(told, row.told);
-  const auto is_measure = [](const std::string& name) { return name == "case" || std::ranges::count(measures, name); };
-  const auto is_set = [&](const std::string& name) {
-    return std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
-  };
   std::string out = "case";
   for (const Axis& axis : cases.axes()) out += "," + csv_cell(is_measure(axis.name) ? axis.name + " set" : axis.name);
-  for (const std::string& name : told) out += "," + csv_cell(is_set(name) || is_measure(name) ? name + " told" : name);
+  for (const std::string& name : told) out += "," + csv_cell(told_column(cases, name));
   const auto is_told = [&](const std::string& name) { return timed || name != "seconds"; };
   for (const char* name : measures)
     if (is_told(name)) out += text(",", name);

@@ -31,6 +31,13 @@ inline constexpr const char* measures[] = {
 CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptions& options,
                  std::optional<double> until, bool timed);
 
+/// Why a case failed; empty: it did not.
+std::string error_of(const CaseRow& row);
+inline bool failed(const CaseRow& row) { return !error_of(row).empty(); }
+
+/// The column of what the scene told by a name, which may be one of the table's own.
+std::string told_column(const Cases& cases, const std::string& name);
+
 /// Comma-separated, a row per case: its number, what is set, what the scene told, what was measured.
 std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed);
 

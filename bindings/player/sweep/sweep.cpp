@@ -1,15 +1,11 @@
 #include "player/sweep/sweep.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <thread>
 
 #include "lua/scene/open.hpp"
@@ -18,6 +14,7 @@
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/output.hpp"
+#include "player/sweep/course.hpp"
 #include "player/sweep/journal.hpp"
 #include "player/sweep/ranks.hpp"
 #include "player/sweep/workers.hpp"
@@ -35,10 +32,9 @@ SceneOptions limits(const SweepOptions& options, const std::string& home) {
   return result;
 }
 
-SceneOptions case_options(const SweepOptions& options, const std::string& home, const Cases& cases,
-                          std::uint64_t number) {
+SceneOptions case_options(const SweepOptions& options, const std::string& home, const CaseOrder& order) {
   SceneOptions result = limits(options, home);
-  for (auto& [name, value] : cases.settings(number)) result.set[name] = value;
+  for (const auto& [name, value] : order.set) result.set[name] = value;
   return result;
 }
 
@@ -85,6 +81,11 @@ void settle_whole(std::vector<Axis>& axes, const SceneLook& look) {
     const auto known = look.whole.find(axis.name);
     if (known == look.whole.end() || !known->second || !axis.values.empty()) continue;
     axis.whole = true;
+    if (std::ceil(std::min(axis.from, axis.to)) > std::floor(std::max(axis.from, axis.to)))
+      throw UsageError(text("'", axis.name,
+                            "' is a whole number in this scene, as its default has no point: there is none "
+                            "from ",
+                            axis.from, " to ", axis.to));
     if (static_cast<double>(axis.count) > std::abs(axis.to - axis.from) + 1.0)
       throw UsageError(text("'", axis.name,
                             "' is a whole number in this scene, as its default has no point: there are no ", axis.count,
@@ -92,7 +93,7 @@ void settle_whole(std::vector<Axis>& axes, const SceneLook& look) {
   }
 }
 
-/// What makes a sweep another one.
+/// What makes a sweep another one: all on which a row depends that did not fail.
 std::string identity(const SweepOptions& options, const std::string& path, std::uint64_t cases) {
   std::string all = text("pantin " PANTIN_VERSION " sweep of ", cases, " cases");
   for (const std::string& setting : options.settings) all += " --set " + setting;
@@ -100,49 +101,11 @@ std::string identity(const SweepOptions& options, const std::string& path, std::
   if (options.sample > 0) all += text(" --sample ", options.sample);
   if (options.until) all += text(" --until ", *options.until);
   if (options.timed) all += " --timed";
-  all += text(" --script-limit ", options.script_limit, " --memory-limit ", options.memory_limit, ", scene ",
-              hash_text(file_content(path).value_or("")));
+  if (!options.wanted.column.empty())
+    all += (options.wanted.least ? " --least " : " --best ") + options.wanted.column + ", by " + Search::library();
+  all += ", scene " + hash_text(file_content(path).value_or(""));
   std::ranges::replace(all, '\n', ' ');
   return all;
-}
-
-/// A line on standard error that moves, where that is a terminal.
-class CaseProgress {
- public:
-  CaseProgress(std::uint64_t done, std::uint64_t all) : before_(done), all_(all) {}
-  ~CaseProgress() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-  CaseProgress(const CaseProgress&) = delete;
-  CaseProgress& operator=(const CaseProgress&) = delete;
-  void show(std::uint64_t done, std::uint64_t failed) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!terminal_ || now < next_ || done <= before_) return;
-    next_ = now + std::chrono::milliseconds(200);
-    const double spent = std::chrono::duration<double>(now - start_).count();
-    const double left = spent * static_cast<double>(all_ - done) / static_cast<double>(done - before_);
-    std::fprintf(stderr, "\r\033[K%llu of %llu cases, %llu failed, %.0f s left", static_cast<unsigned long long>(done),
-                 static_cast<unsigned long long>(all_), static_cast<unsigned long long>(failed), left);
-    std::fflush(stderr);
-    shown_ = true;
-  }
-
- private:
-  std::uint64_t before_, all_;
-  bool terminal_ = isatty(STDERR_FILENO) != 0, shown_ = false;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), next_ = start_;
-};
-
-std::string error_of(const CaseRow& row) {
-  const auto error = std::ranges::find(row.measured, "error", [](const auto& cell) { return cell.first; });
-  return error == row.measured.end() ? "" : error->second;
-}
-
-bool failed(const CaseRow& row) { return !error_of(row).empty(); }
-
-std::uint64_t failures(const Journal& journal) {
-  return static_cast<std::uint64_t>(
-      std::ranges::count_if(journal.rows(), [](const auto& row) { return failed(row.second); }));
 }
 
 int jobs_of(const SweepOptions& options, std::uint64_t cases) {
@@ -150,85 +113,66 @@ int jobs_of(const SweepOptions& options, std::uint64_t cases) {
   return static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(most), std::max<std::uint64_t>(1, cases)));
 }
 
-/// What is to be done of a sweep, and what is done.
-class Course {
- public:
-  Course(const Cases& cases, Journal& journal)
-      : cases_(cases), journal_(journal), progress_(journal.rows().size(), cases.count()), bad_(failures(journal)) {
-    for (const auto& [number, row] : journal.rows())
-      for (const auto& [path, hash] : row.files) {
-        note_file(path, hash);
-        kept_.insert(path);
-      }
-    for (const auto& [path, hash] : files_)
-      if (hash_text(file_content(path).value_or("")) != hash)
-        throw UsageError(
-            text(path, " was changed since the sweep was begun: put it back as it was, or delete the journal"));
-  }
-  /// The next case that has no row.
-  std::optional<std::uint64_t> next() {
-    while (next_ < cases_.count() && journal_.rows().contains(next_)) next_++;
-    if (next_ == cases_.count()) return {};
-    return next_++;
-  }
-  /// Throws Error where a file was changed since another case read it.
-  void keep(CaseRow row) {
-    for (const auto& [path, hash] : row.files) note_file(path, hash);
-    std::erase_if(row.files, [&](const auto& file) { return !kept_.insert(file.first).second; });
-    bad_ += failed(row) ? 1u : 0u;
-    journal_.add(std::move(row));
-    progress_.show(journal_.rows().size(), bad_);
-  }
-
- private:
-  void note_file(const std::string& path, const std::string& hash) {
-    require(files_.try_emplace(path, hash).first->second == hash, path,
-            " was changed while the sweep runs: put it back as it was, and the same command goes on with the rest; or "
-            "delete the journal and begin anew");
-  }
-
-  const Cases& cases_;
-  Journal& journal_;
-  std::map<std::string, std::string> files_;  ///< that the cases read, and a hash of each
-  std::set<std::string> kept_;                ///< of them, those that the journal has
-  CaseProgress progress_;
-  std::uint64_t next_ = 0, bad_;
-};
-
 /// False where Ctrl-C came first.
-bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Journal& journal,
-              const std::function<std::string(std::uint64_t)>& work) {
-  Course course(cases, journal);
-  const auto next = [&] { return course.next(); };
-  const auto done = [&](std::uint64_t, const std::string& line) { course.keep(row_of(line)); };
+bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Journal& journal, Best* best,
+              const std::function<std::string(const std::string&)>& work) {
+  Course course(cases, journal, best);
+  const auto next = [&]() -> std::optional<std::string> {
+    const auto order = course.next();
+    return order ? std::optional(text_of(*order)) : std::nullopt;
+  };
+  const auto done = [&](const std::string& line) { course.keep(row_of(line)); };
   if (ranks) return ranks->hand_out(next, done);
   Workers workers(jobs_of(options, cases.count() - journal.rows().size()), work);
-  return workers.run(next, done, [&](std::uint64_t number, const std::string& how) {
-    course.keep({number, {}, {{"error", how}}, {}});
+  return workers.run(next, done, [&](const std::string& order, const std::string& how) {
+    course.keep({order_of(order).number, {}, {{"error", how}}, {}});
   });
 }
 
+/// What it came to. The exit code.
+int tell_end(const SweepOptions& options, const Rows& rows, const Best* best) {
+  const std::uint64_t bad = failures(rows);
+  const std::string found = best ? best->told(rows) : "";
+  if (bad == rows.size())
+    say(text("all failed, the first with: ", error_of(rows.begin()->second)));
+  else if (best && found.empty())
+    say(text("nothing is best: wherever cases told '", options.wanted.column, "', one failed, or it was not finite"));
+  std::printf("%zu cases, %llu of them failed: %s\n", rows.size(), static_cast<unsigned long long>(bad),
+              options.out.c_str());
+  if (!found.empty()) std::printf("%s\n", found.c_str());
+  return bad == rows.size() || (best && found.empty()) ? 1 : 0;
+}
+
 /// Of the process that writes it.
-int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ranks, const Cases& cases,
-                const std::function<std::string(std::uint64_t)>& work) {
+int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ranks, Cases& cases,
+                const std::function<std::string(const std::string&)>& work) {
   Output(options.out).drop();  // whether it can be written is known now
-  Journal journal(options.out + ".journal", sweep);
-  const std::uint64_t before = journal.rows().size(), all = cases.count();
-  if (before > 0) say(text("going on: ", before, " of ", all, " cases are done already"));
-  if (!do_cases(options, ranks, cases, journal, work)) {
-    say(text("stopped: ", journal.rows().size(), " of ", all,
+  Journal journal(options.out + ".journal", sweep, options.retry_failed);
+  std::optional<Best> best;
+  if (!options.wanted.column.empty()) best.emplace(cases, options.wanted);
+  const Rows& rows = journal.rows();
+  if (!rows.empty()) say(text("going on: ", rows.size(), " of ", cases.count(), " cases are done already"));
+  if (!do_cases(options, ranks, cases, journal, best ? &*best : nullptr, work)) {
+    say(text("stopped: ", rows.size(), " of ", cases.count(),
              " cases are done; the same command goes on with the rest"));
     return 1;
   }
   Output table(options.out);
-  table.write(case_table(cases, journal.rows(), options.timed));
+  table.write(case_table(cases, rows, options.timed));
   table.keep();
-  journal.remove();
-  const std::uint64_t bad = failures(journal);
-  if (bad == all) say(text("all failed, the first with: ", error_of(journal.rows().begin()->second)));
-  std::printf("%llu cases, %llu of them failed: %s\n", static_cast<unsigned long long>(all),
-              static_cast<unsigned long long>(bad), options.out.c_str());
-  return bad == all ? 1 : 0;
+  const bool to_retry = !best && failures(rows) > 0;
+  to_retry ? journal.finish() : journal.remove();
+  if (to_retry)
+    say(text("the same command with --retry-failed runs those that failed again, as ", options.out,
+             ".journal is kept"));
+  return tell_end(options, rows, best ? &*best : nullptr);
+}
+
+/// Throws UsageError.
+Cases cases_of(std::vector<Axis> axes, const SweepOptions& options) {
+  if (options.wanted.column.empty()) return {std::move(axes), options.sample};
+  const std::uint64_t count = Best::count(axes, options.sample);
+  return Cases::unplaced(std::move(axes), count);
 }
 
 }  // namespace
@@ -237,11 +181,15 @@ int sweep(const SweepOptions& options, const std::string& home) {
   const std::string path = find_scene(options.scene, home);
   std::vector<Axis> axes = read_axes(options);
   if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
-  const std::uint64_t known = Cases(axes, options.sample).count();
+  if (options.retry_failed && !options.wanted.column.empty())
+    throw UsageError(
+        "--retry-failed is of no use to --best and --least: where they went after a failed case depends on it");
+  const std::uint64_t known = cases_of(axes, options).count();
   settle_whole(axes, look_at_scene(axes, path, home, options));
-  const Cases cases(std::move(axes), options.sample);
-  const auto work = [&](std::uint64_t number) {
-    return line_of(run_case(number, path, case_options(options, home, cases, number), options.until, options.timed));
+  Cases cases = cases_of(std::move(axes), options);
+  const auto work = [&](const std::string& text) {
+    const CaseOrder order = order_of(text);
+    return line_of(run_case(order.number, path, case_options(options, home, order), options.until, options.timed));
   };
   std::optional<Ranks> ranks;
   if (ranks_started() > 1) ranks.emplace();

@@ -1,10 +1,12 @@
 #pragma once
-// `pantin sweep`: a scene once for each combination of its parameters' values, into one table.
+// `pantin sweep`: a scene once for each combination of its parameters' values, or for those of a search, into one table.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "player/sweep/best.hpp"
 
 namespace pantin::player {
 
@@ -14,7 +16,9 @@ struct SweepOptions {
   std::string seeds;                                ///< "1:100" or "1,5,9"; empty: the scene's own
   std::optional<double> until;                      ///< [s] simulated; else the scene's duration, else 10 s
   std::string out;                                  ///< the table, .csv
-  std::uint64_t sample = 0;                         ///< cases of a Latin hypercube; 0: the grid
+  std::uint64_t sample = 0;                         ///< cases of a Latin hypercube, or of a search; 0: the grid
+  Wanted wanted;                                    ///< what is searched for
+  bool retry_failed = false;                        ///< cases that failed are run again, others are not
   int jobs = 0;                                     ///< processes; 0: as many as there are processors
   bool timed = false;                               ///< with a column of processor time, which differs from run to run
   double script_limit = 5.0;                        ///< [s] 0: none

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 
 #include "player/interrupt.hpp"
@@ -41,6 +42,18 @@ bool read_all(int file, void* data, std::size_t size) {
   return true;
 }
 
+bool write_text(int file, const std::string& text) {
+  const std::uint64_t size = text.size();
+  return write_all(file, &size, sizeof size) && write_all(file, text.data(), text.size());
+}
+
+bool read_text(int file, std::string& text) {
+  std::uint64_t size = 0;
+  if (!read_all(file, &size, sizeof size)) return false;
+  text.resize(size);
+  return read_all(file, text.data(), size);
+}
+
 std::string how_it_ended(int status) {
   if (!WIFSIGNALED(status)) return text("its process ended with exit code ", WEXITSTATUS(status));
   return text("its process was ended by signal ", WTERMSIG(status), " (", strsignal(WTERMSIG(status)), ")");
@@ -48,7 +61,7 @@ std::string how_it_ended(int status) {
 
 }  // namespace
 
-Workers::Workers(int count, std::function<std::string(std::uint64_t)> work)
+Workers::Workers(int count, std::function<std::string(const std::string&)> work)
     : work_(std::move(work)), workers_(static_cast<std::size_t>(count)) {}
 
 Workers::~Workers() {
@@ -66,11 +79,8 @@ void Workers::serve(int from, int to) {
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
   }
-  for (std::uint64_t piece = 0; read_all(from, &piece, sizeof piece);) {
-    const std::string result = work_(piece);
-    const std::uint64_t size = result.size();
-    if (!write_all(to, &size, sizeof size) || !write_all(to, result.data(), result.size())) break;
-  }
+  for (std::string piece; read_text(from, piece);)
+    if (!write_text(to, work_(piece))) break;
   _exit(0);
 }
 
@@ -105,20 +115,21 @@ std::string Workers::end(Worker& worker) {
   return how_it_ended(status);
 }
 
-bool Workers::run(const std::function<std::optional<std::uint64_t>()>& next,
-                  const std::function<void(std::uint64_t, const std::string&)>& done,
-                  const std::function<void(std::uint64_t, const std::string&)>& died) {
+bool Workers::run(const std::function<std::optional<std::string>()>& next,
+                  const std::function<void(const std::string&)>& done,
+                  const std::function<void(const std::string&, const std::string&)>& died) {
   std::size_t busy = 0;
-  const auto give = [&](Worker& worker) {
-    const auto piece = next();
-    if (!piece) return;
-    if (worker.process < 0) start(worker);
-    worker.busy = piece;
-    busy++;
-    write_all(worker.to, &*piece, sizeof *piece);  // where it is dead, the end of its pipe tells
+  const auto give = [&] {
+    for (Worker& worker : workers_) {
+      if (worker.busy) continue;
+      worker.busy = next();
+      if (!worker.busy) return;
+      if (worker.process < 0) start(worker);
+      busy++;
+      write_text(worker.to, *worker.busy);  // where it is dead, the end of its pipe tells
+    }
   };
-  for (Worker& worker : workers_) give(worker);
-  while (busy > 0) {
+  for (give(); busy > 0; give()) {
     if (Interrupt::asked()) return false;
     std::vector<pollfd> ends;
     for (const Worker& worker : workers_) ends.push_back({worker.busy ? worker.from : -1, POLLIN, 0});
@@ -126,22 +137,17 @@ bool Workers::run(const std::function<std::optional<std::uint64_t>()>& next,
     for (std::size_t i = 0; i < ends.size(); i++) {
       if (ends[i].revents == 0) continue;
       Worker& worker = workers_[i];
-      const std::uint64_t piece = worker.busy.value();
-      std::uint64_t size = 0;
+      const std::string piece = worker.busy.value();
       std::string result;
-      bool whole = read_all(worker.from, &size, sizeof size);
-      if (whole) {
-        result.resize(size);
-        whole = read_all(worker.from, result.data(), size);
-      }
+      const bool whole = read_text(worker.from, result);
       worker.busy.reset();
       busy--;
       if (whole)
-        done(piece, result);
+        done(result);
       else
         died(piece, end(worker));
-      if (!Interrupt::asked()) give(worker);
     }
+    if (Interrupt::asked()) return false;
   }
   return !Interrupt::asked();
 }

@@ -1,8 +1,7 @@
 #pragma once
-// Processes that do numbered pieces of work: one that dies takes no other with it.
+// Processes that do pieces of work, each told as a text: one that dies takes no other with it.
 #include <sys/types.h>
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,28 +13,28 @@ namespace pantin::player {
 class Workers {
  public:
   /// `work` is done in them, and its text comes back.
-  Workers(int count, std::function<std::string(std::uint64_t)> work);
+  Workers(int count, std::function<std::string(const std::string&)> work);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Asks `next` for work until it has none, and tells `done` of each as it ends; or `died`, with how its process ended.
-  /// False where Ctrl-C came before all was done. Throws Error where there can be no processes.
-  bool run(const std::function<std::optional<std::uint64_t>()>& next,
-           const std::function<void(std::uint64_t, const std::string&)>& done,
-           const std::function<void(std::uint64_t, const std::string&)>& died);
+  /// Asks `next` for work until it has none though all is done, and tells `done` of each piece's result as it ends; or `died`,
+  /// of the piece and how its process ended. False where Ctrl-C came before all was done. Throws Error where there can be no processes.
+  bool run(const std::function<std::optional<std::string>()>& next,
+           const std::function<void(const std::string& result)>& done,
+           const std::function<void(const std::string& piece, const std::string& how)>& died);
 
  private:
   struct Worker {
     pid_t process = -1;
     int to = -1, from = -1;
-    std::optional<std::uint64_t> busy;
+    std::optional<std::string> busy;  ///< with this piece
   };
   void start(Worker& worker);
   std::string end(Worker& worker);
   [[noreturn]] void serve(int from, int to);
 
-  std::function<std::string(std::uint64_t)> work_;
+  std::function<std::string(const std::string&)> work_;
   std::vector<Worker> workers_;
 };
 

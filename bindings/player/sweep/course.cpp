@@ -1,0 +1,88 @@
+#include "player/sweep/course.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "player/csv.hpp"
+#include "scene/errors.hpp"
+#include "scene/files.hpp"
+
+namespace pantin::player {
+
+std::uint64_t failures(const Rows& rows) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(rows, [](const auto& row) { return failed(row.second); }));
+}
+
+CaseProgress::CaseProgress(std::uint64_t done, std::uint64_t all)
+    : before_(done), all_(all), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+CaseProgress::~CaseProgress() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void CaseProgress::show(std::uint64_t done, std::uint64_t failed) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!terminal_ || now < next_ || done <= before_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  const double spent = std::chrono::duration<double>(now - start_).count();
+  const double left = spent * static_cast<double>(all_ - done) / static_cast<double>(done - before_);
+  std::fprintf(stderr, "\r\033[K%llu of %llu cases, %llu failed, %.0f s left", static_cast<unsigned long long>(done),
+               static_cast<unsigned long long>(all_), static_cast<unsigned long long>(failed), left);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+Course::Course(const Cases& cases, Journal& journal, Best* best)
+    : cases_(cases),
+      journal_(journal),
+      best_(best),
+      progress_(journal.rows().size(), cases.count()),
+      bad_(failures(journal.rows())) {
+  for (const auto& [path, hash] : journal.files()) {
+    note_file(path, hash);
+    kept_.insert(path);
+  }
+  for (const auto& [path, hash] : files_)
+    if (hash_text(file_content(path).value_or("")) != hash)
+      throw UsageError(
+          text(path, " was changed since the sweep was begun: put it back as it was, or delete the journal"));
+}
+
+std::optional<std::uint64_t> Course::next_number() {
+  if (best_) return best_->next(journal_.rows());
+  while (next_ < cases_.count() && journal_.rows().contains(next_)) next_++;
+  if (next_ == cases_.count()) return {};
+  return next_++;
+}
+
+std::optional<CaseOrder> Course::next() {
+  const auto number = next_number();
+  if (!number) return {};
+  return CaseOrder{*number, cases_.settings(*number)};
+}
+
+void Course::keep(CaseRow row) {
+  const std::uint64_t number = row.number;
+  for (const auto& [path, hash] : row.files) note_file(path, hash);
+  std::erase_if(row.files, [&](const auto& file) { return !kept_.insert(file.first).second; });
+  bad_ += failed(row) ? 1u : 0u;
+  journal_.add(std::move(row));
+  progress_.show(journal_.rows().size(), bad_);
+  if (!best_) return;
+  try {
+    best_->kept(journal_.rows(), number);
+  } catch (const UsageError&) {
+    journal_.remove();  // no other command goes on with these
+    throw;
+  }
+}
+
+void Course::note_file(const std::string& path, const std::string& hash) {
+  require(files_.try_emplace(path, hash).first->second == hash, path,
+          " was changed while the sweep runs: put it back as it was, and the same command goes on with the rest; or "
+          "delete the journal and begin anew");
+}
+
+}  // namespace pantin::player
