@@ -21,7 +21,6 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_iterations = 40, most_line_halvings = 6;
-constexpr int most_vain = 2;  // searches in a row, along directions of factors of their own
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
@@ -113,6 +112,9 @@ double evaluate_along(Articulate& a, double h, double fraction) {
 /// The residual that counts as solved, and the size of its round-off, [m].
 struct Goal {
   double tolerance, round_off;
+
+  /// Whether what is left is kept where nothing gains any more.
+  bool accepts(double e) const { return e <= 100.0 * tolerance; }
 };
 
 /// Where the iteration begins: predicted unknowns. Returns their largest residual [m].
@@ -208,68 +210,97 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool new
   }
 }
 
+/// The factor at hand.
+struct FactorUse {
+  int uses = 0;            // since it was made
+  double reduction = 1.0;  // e1/e of the last one; 1 where it serves no more
+
+  bool is_new() const { return uses == 1; }
+  /// Whether it is to be used again, at a residual e [m].
+  bool serves(double e, double tolerance) const {
+    constexpr double kept = 0.1, kept_at_first = 0.5;
+    return reduction <= kept || (reduction <= kept_at_first && uses <= 2) ||
+           (reduction < 1.0 && e * reduction <= tolerance);
+  }
+  /// Near the end an old factor often gains nothing at first, and much the next time: whether that is to be seen, once its
+  /// first use as an old one was from e [m]. It serves then.
+  bool try_again(double e, double length) {
+    constexpr double most_lost = 4.0, near_end = 1e-6, serves_again = 0.5;
+    if (uses != 2 || !(reduction < most_lost) || !(e < near_end * length)) return false;
+    reduction = std::min(reduction, serves_again);
+    return true;
+  }
+};
+
+/// Searches in a row along directions of new factors: that accepted nothing, and that gained less than a tenth.
+struct Setbacks {
+  int vain = 0, slow = 0;
+
+  void count(const FactorUse& factor, bool found) {
+    const int more = factor.is_new() ? 1 : 0;
+    vain = found ? 0 : vain + more;
+    slow = factor.reduction > 0.9 ? slow + more : 0;
+  }
+  /// Once more would not help.
+  bool end(bool lowered) const {
+    constexpr int most = 2;
+    return vain == most || (lowered && slow == most);
+  }
+};
+
+/// Takes the right side through the forward substitution of the factor at hand, or of a new one where that does not serve.
+void start_direction(Articulate& a, double h, double e, double tolerance, FactorUse& factor, DriftReport& report) {
+  const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
+  if (factor.serves(e, tolerance)) {
+    factor.uses++;
+    return reuse_factor(a, system);
+  }
+  factor.uses = 1;
+  a.weak = factorise(a, system) && !a.loop_free;
+  a.factor_of = FactorOf::newton;
+  report.factorisations++;
+}
+
 /// From predicted unknowns; false where it does not converge, or costs more than may be spent.
 bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  constexpr double rough = 0.03, near = 1e-4;  // of the length: a bad prediction; so near that ε may be to blame
+  constexpr double poor = 0.2;                 // e1/e of a new factor with too large an ε
+  constexpr double of_round_off = 10.0;
   a.lowered = false;
   const std::uint32_t most_cost = cost(report) + a.effort.spare;  // above it, it gives up
   Goal goal{};
   double e = start_iteration(a, h, gravity, goal);
-  double reduction = 1.0;  // e1/e of the last iteration
-  const auto [tolerance, round_off] = goal;
-  a.predictor.rough = e > 0.03 * a.length;
-  bool factor_of_attempt = false, new_factor = false;
-  // uses of the factor after its first; searches in a row, with new factors, that accepted nothing, or gained less than a tenth
-  int old_uses = 0, vain = 0, slow = 0;
+  a.predictor.rough = e > rough * a.length;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
-  const double good_prediction = std::max(0.01 * tolerance, round_off);
-  for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
-    if (cost(report) > most_cost) return e <= 100.0 * tolerance;
-    // Near the end an old factor often gains nothing at first, and much the next time.
-    const bool factor_serves =
-        reduction <= 0.1 || (reduction <= 0.5 && old_uses < 2) || (reduction < 1.0 && e * reduction <= tolerance);
-    old_uses++;
-    const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
-    if (!factor_of_attempt || !factor_serves) {
-      old_uses = 0;
-      a.weak = factorise(a, system) && !a.loop_free;
-      a.factor_of = FactorOf::newton;
-      factor_of_attempt = new_factor = true;
-      report.factorisations++;
-    } else {
-      reuse_factor(a, system);
-    }
-    const auto [e1, found] = search_line(a, h, e, tolerance, new_factor, most_cost, report);
-    reduction = e1 / e;
-    vain = found ? 0 : vain + new_factor;
-    slow = reduction > 0.9 ? slow + new_factor : 0;
-    if ((vain == most_vain || (a.lowered && slow == most_vain)) && e1 > 100.0 * tolerance) return false;
-    if (!new_factor && old_uses == 1 && reduction < 4.0 && e < 1e-6 * a.length) {
-      reduction = std::min(reduction, 0.5);
+  double enough = std::max(0.01 * goal.tolerance, goal.round_off);
+  FactorUse factor;
+  Setbacks setbacks;
+  for (std::uint32_t i = 0; e > enough && i < most_iterations && cost(report) <= most_cost; i++) {
+    enough = goal.tolerance;
+    start_direction(a, h, e, goal.tolerance, factor, report);
+    const auto [e1, found] = search_line(a, h, e, goal.tolerance, factor.is_new(), most_cost, report);
+    factor.reduction = e1 / e;
+    setbacks.count(factor, found);
+    if (setbacks.end(a.lowered) && !goal.accepts(e1)) return false;
+    if (factor.try_again(e, a.length)) {
       e = e1;
       continue;
     }
-    if (!(e1 < e)) {
-      e = evaluate_along(a, h, 0.0);
-      reduction = 1.0;
-      if (!new_factor) continue;
-      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
-        lower_epsilon(a, !found);
-        new_factor = false;
-        vain = 0;
-        continue;
-      }
-      return e < 100.0 * tolerance;
-    }
-    if (new_factor && reduction > 0.2 && e1 < 10.0 * round_off) return true;
-    if (new_factor && reduction > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
+    const bool gained = e1 < e;
+    const double start = gained ? e : evaluate_along(a, h, 0.0);  // this with J as it is now
+    e = gained ? e1 : start;
+    if (!gained) factor.reduction = 1.0;
+    if (!factor.is_new() || factor.reduction <= poor) continue;
+    if (gained ? e < of_round_off * goal.round_off : goal.accepts(e)) break;
+    if (start < near * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a, !found);
-      reduction = 1.0;
-      vain = 0;
+      factor.reduction = 1.0;
+      setbacks.vain = 0;
+    } else if (!gained) {
+      break;
     }
-    new_factor = false;
-    e = e1;
   }
-  return e <= 100.0 * tolerance;
+  return goal.accepts(e);
 }
 
 /// Whether the position of its condition, which may move, says where its first point is to be.
