@@ -3,7 +3,7 @@
 // which the factor eliminates the rows; `load` and `store` move the state between them and the model.
 //
 // Letters follow the equations: x position [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
-// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector in world axes [rad], f the force of a row on its first point
+// principal axes [kg m²/s], spin I⁻¹P in the same [rad/s], cayley the step's Cayley vector in world axes [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace pantin {
 /// A body or a free particle of an articulate: what it has at the start and end of a step. What is read together lies
 /// together.
 struct alignas(64) Node {
-  Vec3 x0, p0, P0, O0;
+  Vec3 x0, p0, P0, spin0;
   Quat q0;
   double mass, inverse_mass;
   std::uint32_t slot;  // of the body or point in the model
@@ -36,7 +36,7 @@ struct alignas(64) Node {
   // seldom asked for, or only where a step is not the midpoint's
   std::uint32_t first_row;  // the smallest that it is in
   double reach;             // [m] turns a rotation into a displacement in the residual
-  Vec3 a;                   // where angular rows ask for it, world axes; with `euler` the rotation vector
+  Vec3 cayley;              // where angular rows ask for it, world axes; with `euler` the rotation vector
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;
@@ -281,7 +281,7 @@ inline void drop_factor(Articulate& a, FactorOf of) {
 /// It moves again, or is not to fall asleep before its motion was looked at anew.
 inline void wake(Articulate& articulate) { articulate.rest = {}; }
 /// Kinetic energy of a node's start, [J].
-inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
+inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.spin0)); }
 /// What a drift needs to know of the world.
 struct DriftSettings {
   double step;       ///< [s] length of the scene's step

@@ -1,6 +1,6 @@
 #pragma once
 // What the solver works on: the nodes of an articulate four at a time, one to a lane, with their ends of rows. With
-// `a` in world axes, R1 = cay(a) R0, and R0 drops out of the equations.
+// `cayley`, a, in world axes, R1 = cay(a) R0, and R0 drops out of the equations.
 #include <cstdint>
 
 #include "base/vectors4.hpp"
@@ -21,13 +21,13 @@ struct alignas(64) RowEnds {
 /// Four nodes. Those that do not turn count as turning ones without arms.
 struct alignas(64) NodeBatch {
   // of the step being solved
-  Vec3x4 a;            // unknown: the Cayley vector
-  Vec3x4 a_saved, da;  // where a line search starts, and its direction
-  Vec3x4 own_da;       // correction by the node's own residual
-  Lanes c;             // 1/(1 + a·a/4)
+  Vec3x4 cayley;                  // unknown: the Cayley vector a
+  Vec3x4 cayley_saved, d_cayley;  // where a line search starts, and its direction
+  Vec3x4 own_d_cayley;            // correction by the node's own residual
+  Lanes c;                        // 1/(1 + a·a/4)
   Vec3x4 x1, row_force;
-  Vec3x4 L1;      // R1 P1
-  Vec3x4 E, sum;  // residual of the rotation, Π + L1
+  Vec3x4 L1;             // R1 P1
+  Vec3x4 E, Pi_plus_L1;  // residual of the rotation; Π + L1
   Mat3x4 J_inverse;
   // constants of the step
   Vec3x4 x_free, L_free;  // x1 and L1 without forces of rows

@@ -77,7 +77,7 @@ void add_momenta(Model& model, const BodyState& s, std::uint32_t thing, Vec3 p, 
   if (s.node) {
     s.node->p0 += p;
     s.node->P0 += principal;
-    s.node->O0 = s.node->inverse_inertia * s.node->P0;
+    s.node->spin0 = s.node->inverse_inertia * s.node->P0;
     return;
   }
   model.motion[thing].p += p;
@@ -102,7 +102,7 @@ void displace(Model& model, const BodyState& s, std::uint32_t thing, Vec3 way, V
     s.node->q0 = q;
     s.node->R0 = matrix(q);
     s.node->P0 = principal;
-    s.node->O0 = s.node->inverse_inertia * principal;
+    s.node->spin0 = s.node->inverse_inertia * principal;
     return;
   }
   m.x += way;

@@ -115,7 +115,7 @@ void take_back(World& world, Articulate& a, const Overloads& found) {
       if (!n.turns) return;
       const Vec3 twist = row.lever > 0.0 ? impulse * row.lever : cross(n.R0 * arm, impulse);
       n.P0 += transposed_times(n.R0, world.plane.about(twist));
-      n.O0 = n.inverse_inertia * n.P0;
+      n.spin0 = n.inverse_inertia * n.P0;
     };
     strike(row.a, row.la, -1.0);
     strike(row.b, row.lb, 1.0);

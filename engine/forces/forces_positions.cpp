@@ -19,7 +19,7 @@ ReceiverState state_of(const World& world, const Receiver& m, bool drifted) {
   if (drifted && m.articulate >= 0) {
     const Node& n = world.articulates[static_cast<std::size_t>(m.articulate)]->nodes[m.node];
     const Vec3 before = m.is_body ? world.motion[m.slot].x : world.free_motion[m.slot].x;
-    return {world.plane.beside(n.x0, before), n.p0 * n.inverse_mass, rotate(n.q0, n.O0), n.q0};
+    return {world.plane.beside(n.x0, before), n.p0 * n.inverse_mass, rotate(n.q0, n.spin0), n.q0};
   }
   if (!m.is_body) return {world.free_motion[m.slot].x, world.free_motion[m.slot].v, zero3(), {}};
   const Motion& motion = world.motion[m.slot];

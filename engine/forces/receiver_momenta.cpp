@@ -14,7 +14,7 @@ void ReceiverMomenta::add(Vec3 impulse, Vec3 angular) {
   Vec3 turn = rotate(conjugate(q), angular);
   if (line) turn[0] = 0.0;
   *P += turn;
-  if (node) node->O0 = inverse_inertia * *P;
+  if (node) node->spin0 = inverse_inertia * *P;
 }
 
 bool sleeps(const World& world, const Receiver& m) {

@@ -152,7 +152,7 @@ void stop(World& world, const Thing& t) {
     return;
   }
   Articulate& a = *t.articulate;
-  for (Node& n : a.nodes) n.p0 = n.P0 = n.O0 = zero3();
+  for (Node& n : a.nodes) n.p0 = n.P0 = n.spin0 = zero3();
   a.by_tree = false;
   a.totals.kinetic = 0.0;
   store(a, world);

@@ -338,7 +338,7 @@ void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
     n.p0 += p;
     if (!n.turns) return;
     n.P0 += transposed_times(n.R0, L);
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
     return;
   }
   if (!n.is_body) {

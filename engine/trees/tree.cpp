@@ -60,9 +60,10 @@ void find_free_accelerations(const Tree::Batch& c, const Vec3x4& gravity, const 
   const Symmetric4 W = {u.x * R[0].x + v.x * R[1].x + t.x * R[2].x, u.x * R[0].y + v.x * R[1].y + t.x * R[2].y,
                         u.x * R[0].z + v.x * R[1].z + t.x * R[2].z, u.y * R[0].y + v.y * R[1].y + t.y * R[2].y,
                         u.y * R[0].z + v.y * R[1].z + t.y * R[2].z, u.z * R[0].z + v.z * R[1].z + t.z * R[2].z};
-  const Vec3x4 O = transposed_times(R, w);
-  const Vec3x4 alpha = u * (c.inertia_differences.x * O.y * O.z) + v * (c.inertia_differences.y * O.z * O.x) +
-                       t * (c.inertia_differences.z * O.x * O.y);
+  const Vec3x4 spin = transposed_times(R, w);
+  const Vec3x4 alpha = u * (c.inertia_differences.x * spin.y * spin.z) +
+                       v * (c.inertia_differences.y * spin.z * spin.x) +
+                       t * (c.inertia_differences.z * spin.x * spin.y);
   const Vec3x4 r_in = R * c.in, r_out = R * c.out;
   // α x r + ω x (ω x r) as a matrix
   const Lanes xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z, xy = w.x * w.y, yz = w.y * w.z, zx = w.z * w.x;

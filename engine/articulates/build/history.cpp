@@ -89,7 +89,7 @@ void History::inherit(Articulate& to, std::span<const std::uint32_t> things) con
     const NodeBatch& old = origin.articulate->batches[origin.index / batch_size];
     NodeBatch& batch = to.batches[n / batch_size];
     const std::size_t from = origin.index % batch_size, lane = n % batch_size;
-    copy_lane(batch.a, lane, old.a, from);
+    copy_lane(batch.cayley, lane, old.cayley, from);
     for (std::size_t k = 0; k < Predictor::levels; k++)
       copy_lane(to.predictor.rates[n / batch_size][k], lane,
                 origin.articulate->predictor.rates[origin.index / batch_size][k], from);

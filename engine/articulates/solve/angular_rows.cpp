@@ -24,7 +24,7 @@ void place_angular_row_at_end(Articulate& a, Row& row) {
 }
 
 double work_of_angular_row(const Articulate& a, const Row& row) {
-  const auto turned = [&](std::int32_t node) { return a.nodes[static_cast<std::size_t>(node)].a; };
+  const auto turned = [&](std::int32_t node) { return a.nodes[static_cast<std::size_t>(node)].cayley; };
   const Vec3 torque = row.f * row.lever;
   return dot(torque, turned(row.a)) - (row.b >= 0 ? dot(torque, turned(row.b)) : 0.0);
 }

@@ -53,7 +53,7 @@ const Row& distance_of(const Articulate& a, const Coupling& coupling, const Cond
 /// of both nodes. About one axis these are 2 tan of half their angles, which differ by φ.
 double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, double counted) {
   const auto along = [&](std::int32_t node) {
-    return node < 0 ? 0.0 : dot(n, a.nodes[static_cast<std::size_t>(node)].a);
+    return node < 0 ? 0.0 : dot(n, a.nodes[static_cast<std::size_t>(node)].cayley);
   };
   const double of_a = along(row.a), of_b = along(row.b), work = of_a - of_b;
   // What is small has the round-off of all turns that were counted; its limit then is off by φ².

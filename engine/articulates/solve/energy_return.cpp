@@ -28,7 +28,7 @@ Moments moments_about(const Articulate& a, Vec3 X) {
     const Vec3 i = n.inertia * n.felt_axes, P = n.P0 * n.felt_axes;
     m.inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
     m.angular += n.R0 * P;
-    m.unfelt += 0.5 * dot(n.P0 - P, n.O0);
+    m.unfelt += 0.5 * dot(n.P0 - P, n.spin0);
   }
   return m;
 }
@@ -142,7 +142,7 @@ double change_relative_motion(Articulate& a, const RigidMotion& rigid, double ch
     n.p0 = p + (n.p0 - p) * factor;
     if (!n.turns) continue;
     n.P0 += (n.P0 - n.inertia * transposed_times(n.R0, rigid.w)) * n.felt_axes * (factor - 1.0);
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
   }
   return (factor * factor - 1.0) * rigid.relative;
 }

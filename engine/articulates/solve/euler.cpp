@@ -24,7 +24,7 @@ void evaluate_euler(Node& n, double h) {
   if (!n.turns) return;
   const Vec3 L = n.R0 * n.P0 + (n.row_torque + n.torque) * h;
   const Vec3 turn = n.inverse_inertia * transposed_times(n.R0, L) * h;
-  n.a = n.R0 * turn;
+  n.cayley = n.R0 * turn;
   const double angle = norm(turn), s = functions::sin(0.5 * angle);
   const Vec3 u = direction(turn) * s;
   n.q1 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
@@ -92,7 +92,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
     report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
-    if (n.turns) report.work += dot(n.torque, n.a);
+    if (n.turns) report.work += dot(n.torque, n.cayley);
     commit(n);
   }
   measure_gaps(a);

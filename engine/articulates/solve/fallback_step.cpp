@@ -60,7 +60,7 @@ void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   for (Node& n : a.nodes) {
     n.p0 += (n.force - gravity * n.mass) * h;
     n.P0 += transposed_times(n.R0, n.torque) * h;
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
   }
   report.work += kinetic_energy(a) - before;
   for (Node& n : a.nodes) n.p0 += gravity * (n.mass * h);
@@ -206,7 +206,7 @@ void begin_at_ends(Articulate& a) {
     if (!n.turns) continue;
     n.q0 = n.q1;
     n.R0 = n.R1;
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
   }
 }
 
@@ -224,7 +224,7 @@ void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
   for (Node& n : a.nodes) {
     n.p0 = zero3();
     n.P0 = n.P0 - n.P0 * n.felt_axes;
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
     put_end_at_start(n);
   }
   find_gaps(a);

@@ -13,9 +13,9 @@ struct Inertia {
   Vec3 moments = zero3(), inverse = zero3();
 };
 
-/// The inertia that makes the algorithm one of the fourth order. With Ω the spin, and k, l the
+/// The inertia that makes the algorithm one of the fourth order. With ω the spin, and k, l the
 /// other axes (Hairer and Vilmart 2006, in terms that do not cancel where the least moment is tiny):
-///   (I / J)_j = 1 - h² Ω_j²/6 + h²/12 Σ_k Ω_k² ((I_j - I_k)²/(I_j I_l) - 1 - I_k/I_j)
+///   (I / J)_j = 1 - h² ω_j²/6 + h²/12 Σ_k ω_k² ((I_j - I_k)²/(I_j I_l) - 1 - I_k/I_j)
 Inertia preprocessed(const Node& n, Vec3 spin, double h) {
   const Vec3 I = n.inertia;
   const Vec3 angle2 = spin * spin * (h * h / 12.0);
@@ -80,7 +80,7 @@ Turn find_turn(const Node& n, Vec3 P, double h) {
 void renormalise(Node& n) {
   n.q0 = normalised(n.q0);
   n.R0 = matrix(n.q0);
-  n.O0 = n.inverse_inertia * n.P0;
+  n.spin0 = n.inverse_inertia * n.P0;
 }
 
 /// Turns by b, with the angular momentum fixed in the world.
@@ -141,7 +141,7 @@ void turn(Node& n, Vec3 torque, double h, int depth) {
   one.found ? turn_by(n, one.b) : turn_as_symmetric(n, h);
   renormalise(n);
   n.P0 += transposed_times(n.R0, torque) * (0.5 * h);
-  n.O0 = n.inverse_inertia * n.P0;
+  n.spin0 = n.inverse_inertia * n.P0;
 }
 
 }  // namespace

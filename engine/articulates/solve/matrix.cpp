@@ -120,7 +120,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
 
 /// Hands the rows the change of d1 that the nodes' own residuals make.
 void move_ends(Articulate& a, const NodeBatch& n) {
-  const Vec3x4 turn = rotation(n, n.own_da);
+  const Vec3x4 turn = rotation(n, n.own_d_cayley);
   for (const RowEnds& end : ends_of(a, n)) scatter_to_rows(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
 const Coupling* coupling_of_head(const Articulate& a, std::uint32_t k) {

@@ -1,5 +1,5 @@
 #pragma once
-// The energy-momentum midpoint step of nodes, and its derivative. With R1 = cay(a) R0, a = R0 h (O0 + O1)/2, and forces
+// The energy-momentum midpoint step of nodes, and its derivative. With R1 = cay(a) R0, a = R0 h (ω0 + ω1)/2 with the spins ω, and forces
 // at the mean of the arms at both ends, energy changes only by the work of outer forces, and momentum and angular
 // momentum are exact (rotation: Simo and Wong 1991; constraint forces: after Simo, Tarnow and Doblaré 1995).
 //
@@ -24,69 +24,70 @@ inline void add_load(RowLoad& load, const RowEnds& end, const Vec3x4& f, const V
 
 /// Sets c, and the arms at the end: r1 = cay(a) r0 = r0 + c (a x r0 + a x (a x r0)/2).
 inline void turn_arms(NodeBatch& n, std::span<RowEnds> ends) {
-  n.c = 1.0 / (1.0 + 0.25 * norm2(n.a));
+  const Vec3x4& a = n.cayley;
+  n.c = 1.0 / (1.0 + 0.25 * norm2(a));
   for (RowEnds& end : ends) {
-    const Vec3x4 t = cross(n.a, end.r0);
-    end.r1 = end.r0 + (t + cross(n.a, t) * 0.5) * n.c;
+    const Vec3x4 t = cross(a, end.r0);
+    end.r1 = end.r0 + (t + cross(a, t) * 0.5) * n.c;
   }
 }
 
-/// Sets the end of the step, the residual E and the correction own_da; returns the squares of its size [m²].
+/// Sets the end of the step, the residual E and the correction own_d_cayley; returns the squares of its size [m²].
 inline Lanes evaluate(NodeBatch& n, const RowLoad& load, double h) {
   n.row_force = load.force;
   n.x1 = n.x_free + load.force * n.sway;
   n.L1 = n.L_free + load.torque * h;
-  const Vec3x4 Pi = n.inertia_rate * n.a - n.L0;
-  n.sum = Pi + n.L1;
-  n.E = Pi - n.L1 + cross(n.a, n.sum) * 0.5;
-  n.own_da = n.J_inverse * n.E * -1.0;
-  return norm2(n.own_da) * n.reach2;
+  const Vec3x4 Pi = n.inertia_rate * n.cayley - n.L0;
+  n.Pi_plus_L1 = Pi + n.L1;
+  n.E = Pi - n.L1 + cross(n.cayley, n.Pi_plus_L1) * 0.5;
+  n.own_d_cayley = n.J_inverse * n.E * -1.0;
+  return norm2(n.own_d_cayley) * n.reach2;
 }
 
 /// J = dE/da, inverted, with B = Σ r̄ ±f':
 ///   J = (1 + a^/2) R0 (2/h) I R0' - (Π + L1)^/2 - (1 - a^/2) h dτ/da,
 ///   dτ/da = c/2 (B - tr(B) 1 - a τ_B'/2 - (B a)^/2 + a^ B' a^/4),  τ_B = axial(B).
 inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
-  const Vec3x4 tau = axial(B);
-  const Mat3x4 a_hat = hat(n.a), Ba_hat = hat(B * n.a), sum_hat = hat(n.sum);
+  const Vec3x4 &a = n.cayley, tau = axial(B);
+  const Mat3x4 a_hat = hat(a), Ba_hat = hat(B * a), sum_hat = hat(n.Pi_plus_L1);
   const Lanes s = n.c * (0.5 * h), tr = trace(B) * s;
   const Lanes of_tau[3] = {tau.x, tau.y, tau.z};
   Mat3x4 J;
   for (int k = 0; k < 3; k++) {
-    const Vec3x4 quadratic = cross(n.a, transposed_times(B, a_hat[k]));
-    Vec3x4 dtau = (B[k] - n.a * (of_tau[k] * 0.5) - Ba_hat[k] * 0.5 + quadratic * 0.25) * s;
+    const Vec3x4 quadratic = cross(a, transposed_times(B, a_hat[k]));
+    Vec3x4 dtau = (B[k] - a * (of_tau[k] * 0.5) - Ba_hat[k] * 0.5 + quadratic * 0.25) * s;
     (k == 0 ? dtau.x : k == 1 ? dtau.y : dtau.z) -= tr;
     const Vec3x4& d = n.inertia_rate[k];
-    J[k] = d - dtau - sum_hat[k] * 0.5 + cross(n.a, d + dtau) * 0.5;
+    J[k] = d - dtau - sum_hat[k] * 0.5 + cross(a, d + dtau) * 0.5;
   }
   n.J_inverse = inverse(J);
-  n.own_da = n.J_inverse * n.E * -1.0;
+  n.own_d_cayley = n.J_inverse * n.E * -1.0;
 }
 
 /// The same in a plane, where all rotations are about its normal k: of J and its inverse only J_kk counts,
 ///   J_kk = (2/h) I_kk - h c/2 (B_kk - tr(B) - a_k τ_Bk/2).
 inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k) {
   const auto normal = [k](const Vec3x4& v) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
-  const Lanes dtau = (normal(B[k]) - trace(B) - normal(n.a) * normal(axial(B)) * 0.5) * (n.c * (0.5 * h));
+  const Lanes dtau = (normal(B[k]) - trace(B) - normal(n.cayley) * normal(axial(B)) * 0.5) * (n.c * (0.5 * h));
   const Lanes inverse = 1.0 / (normal(n.inertia_rate[k]) - dtau);
   n.J_inverse = {{zero3x4(), zero3x4(), zero3x4()}};
   Vec3x4& column = n.J_inverse[k];
   (k == 0 ? column.x : k == 1 ? column.y : column.z) = inverse;
-  n.own_da = n.J_inverse * n.E * -1.0;
+  n.own_d_cayley = n.J_inverse * n.E * -1.0;
 }
 
 /// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a unit moment makes, times 2/h².
 inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
-  Mat3x4 W = times_hat(n.J_inverse, n.a);
+  Mat3x4 W = times_hat(n.J_inverse, n.cayley);
   for (int k = 0; k < 3; k++) {
     const Vec3x4 x = n.J_inverse[k] - W[k] * 0.5;
-    W[k] = (x + cross(n.a, x) * 0.5) * (n.c * (2.0 / h));
+    W[k] = (x + cross(n.cayley, x) * 0.5) * (n.c * (2.0 / h));
   }
   return W;
 }
 
 /// Rotation at the end for a change da of the Cayley vector.
-inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.a, da) * 0.5) * n.c; }
+inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.cayley, da) * 0.5) * n.c; }
 
 /// Puts the start of the step in the place of its end, but for momenta.
 inline void put_end_at_start(Node& n) {
@@ -102,7 +103,7 @@ inline void commit(Node& n) {
   n.P0 = n.P1;
   n.q0 = n.q1;
   n.R0 = n.R1;
-  n.O0 = n.inverse_inertia * n.P0;
+  n.spin0 = n.inverse_inertia * n.P0;
 }
 
 }  // namespace pantin

@@ -43,7 +43,7 @@ void add_rigid_motion(Articulate& a, Vec3 X, Vec3 velocity, Vec3 spin) {
     n.p0 += (velocity + cross(spin, n.x0 - X)) * n.mass;
     if (!n.turns) continue;
     n.P0 += n.inertia * transposed_times(n.R0, spin) * n.felt_axes;
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
   }
 }
 

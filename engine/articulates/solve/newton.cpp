@@ -102,11 +102,14 @@ double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
 }
 
 /// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
-/// `da`. Returns the largest residual there [m].
+/// `d_cayley`. Returns the largest residual there [m].
 double evaluate_along(Articulate& a, double h, double fraction) {
   return evaluate(
       a, h, [&](std::size_t k) { a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction; },
-      [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].da * fraction; });
+      [&](std::size_t b) {
+        NodeBatch& n = a.batches[b];
+        n.cayley = n.cayley_saved + n.d_cayley * fraction;
+      });
 }
 
 /// The residual that counts as solved, and the size of its round-off, [m].
@@ -143,9 +146,9 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
   for (const RowEnds& end : ends_of(a, n))
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.right_side[k]; }), mean_arm(end));
   const Vec3x4& tau = load.torque;
-  n.a_saved = n.a;
-  n.da = n.own_da + n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
-  return norm2(n.da);
+  n.cayley_saved = n.cayley;
+  n.d_cayley = n.own_d_cayley + n.J_inverse * (tau - cross(n.cayley, tau) * 0.5) * h;
+  return norm2(n.d_cayley);
 }
 
 /// Whether all nodes of a row are in batch b or later ones, through which a sweep against the order has been.
@@ -159,7 +162,7 @@ struct FullNewtonStep {
   double largest_turn, residual;
 };
 
-/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `da`, and moves the
+/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `d_cayley`, and moves the
 /// unknowns along it, from values that it saves: all in one sweep against the order of elimination.
 FullNewtonStep take_direction(Articulate& a, double h) {
   Lanes largest_turn = lanes(0.0);
@@ -174,7 +177,7 @@ FullNewtonStep take_direction(Articulate& a, double h) {
     for (; b > 0 && a.batches[b - 1].first_row == k; b--) {
       NodeBatch& n = a.batches[b - 1];
       largest_turn = larger(find_change(a, n, h), largest_turn);
-      n.a += n.da;
+      n.cayley += n.d_cayley;
       evaluation.batch(b - 1);
     }
     for (; placed > 0 && is_swept(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
@@ -308,7 +311,7 @@ bool keeps_to_position(const Row& row) { return row.b < 0 || row.rule->keeps_sep
 
 /// Velocity of a point at the start, [m/s].
 Vec3 start_velocity(const Node& n, Vec3 l) {
-  return n.p0 * n.inverse_mass + (n.turns ? n.R0 * cross(n.O0, l) : zero3());
+  return n.p0 * n.inverse_mass + (n.turns ? n.R0 * cross(n.spin0, l) : zero3());
 }
 
 }  // namespace
@@ -341,7 +344,7 @@ void place_rows_at_end(Articulate& a) {
 }
 
 void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
-  const auto turn_of = [&](std::size_t k) { return lane_of(a.batches[k / batch_size].a, k % batch_size); };
+  const auto turn_of = [&](std::size_t k) { return lane_of(a.batches[k / batch_size].cayley, k % batch_size); };
   // Not as a difference of positions, which has no digits of what rests.
   const auto moved = [&](std::int32_t node, Vec3 l) {
     const auto k = static_cast<std::size_t>(node);
@@ -365,7 +368,7 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node &n = a.nodes[i], &start_of = a.saved[i];
     if (!n.turns) continue;
-    const Vec3 spin = (start_of.O0 + n.O0) * 0.5;
+    const Vec3 spin = (start_of.spin0 + n.spin0) * 0.5;
     report.unsolved += dot(spin - transposed_times(start_of.R0, turn_of(i)) / h, n.P0 - start_of.P0);
   }
 }

@@ -61,7 +61,7 @@ struct Turned {
 Turned turned(const Articulate& a, std::size_t b) {
   const NodeBatch& n = a.batches[b];
   const Lanes w = square_root(n.c);
-  const Vec3x4 u = n.a * (w * 0.5);
+  const Vec3x4 u = n.cayley * (w * 0.5);
   const Node *n0 = &node_in(a, b, 0), *n1 = &node_in(a, b, 1), *n2 = &node_in(a, b, 2), *n3 = &node_in(a, b, 3);
   const Quat &q0 = n0->q0, &q1 = n1->q0, &q2 = n2->q0, &q3 = n3->q0;
   const Quatx4 start = {
@@ -147,7 +147,7 @@ void begin(Articulate& a, std::size_t b, double h, Largest& largest) {
 }
 
 Vec3x4 start_spins(const Articulate& a, std::size_t b) {
-  return rotations(a, b, &Node::R0) * pack_nodes(a, b, [](const Node& node) { return node.O0; });
+  return rotations(a, b, &Node::R0) * pack_nodes(a, b, [](const Node& node) { return node.spin0; });
 }
 
 void place_at_start(Articulate& a, std::size_t b) {
@@ -171,13 +171,13 @@ void place_at_end(Articulate& a, std::size_t b) {
 void tell_positions(Articulate& a, std::size_t b) {
   const NodeBatch& n = a.batches[b];
   const Turned end = turned(a, b);
-  const auto x1 = unpack(n.x1), rotation = unpack(n.a);
+  const auto x1 = unpack(n.x1), cayley = unpack(n.cayley);
   const auto R1 = unpack(end.R);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
     node.x1 = x1[lane];
     if (!node.turns) continue;
-    node.a = rotation[lane];
+    node.cayley = cayley[lane];
     node.q1 = lane_of(end.q, lane);
     node.R1 = R1[lane];
   }
@@ -189,10 +189,10 @@ Lanes commit(Articulate& a, std::size_t b, double h, Vec3 gravity) {
   const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
   const Vec3x4 push = pack_nodes(a, b, [&](const Node& node) { return node.force - gravity * node.mass; });
   const Vec3x4 way = n.x1 - pack_nodes(a, b, [](const Node& node) { return node.x0; });
-  const Lanes work = dot(push, way) + dot(pack_nodes(a, b, [](const Node& node) { return node.torque; }), n.a);
+  const Lanes work = dot(push, way) + dot(pack_nodes(a, b, [](const Node& node) { return node.torque; }), n.cayley);
   const Vec3x4 principal = transposed_times(end.R, n.L1);
   const auto x1 = unpack(n.x1), change = unpack((n.row_force + force) * h), P = unpack(principal),
-             O = unpack(principal * n.inverse_inertia);
+             spin = unpack(principal * n.inverse_inertia);
   const auto R1 = unpack(end.R);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
@@ -202,7 +202,7 @@ Lanes commit(Articulate& a, std::size_t b, double h, Vec3 gravity) {
     node.q0 = lane_of(end.q, lane);
     node.R0 = R1[lane];
     node.P0 = P[lane];
-    node.O0 = O[lane];
+    node.spin0 = spin[lane];
   }
   return work;
 }
@@ -218,13 +218,13 @@ void read_momenta(Articulate& a, std::size_t b) {
 void tell_momenta(Articulate& a, std::size_t b) {
   const NodeBatch& n = a.batches[b];
   const Vec3x4 principal = transposed_times(rotations(a, b, &Node::R0), n.L);
-  const auto p = unpack(n.p), P = unpack(principal), O = unpack(principal * n.inverse_inertia);
+  const auto p = unpack(n.p), P = unpack(principal), spin = unpack(principal * n.inverse_inertia);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
     node.p0 = p[lane];
     if (!node.turns) continue;
     node.P0 = P[lane];
-    node.O0 = O[lane];
+    node.spin0 = spin[lane];
   }
 }
 

@@ -44,14 +44,14 @@ Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R)
 struct Largest {
   Lanes speed2 = lanes(0.0), position = lanes(0.0);
 };
-/// Prepares a step of `h` [s] from the nodes' starts, but for `a`.
+/// Prepares a step of `h` [s] from the nodes' starts, but for `cayley`.
 void begin(Articulate& articulate, std::size_t batch, double h, Largest& largest);
 /// Spins at the start, world axes [rad/s].
 Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
 /// Sets arms at the start or end from the nodes, and hands their rows the positions.
 void place_at_start(Articulate& articulate, std::size_t batch);
 void place_at_end(Articulate& articulate, std::size_t batch);
-/// Tells the nodes x1, q1, R1 and a.
+/// Tells the nodes x1, q1, R1 and cayley.
 void tell_positions(Articulate& articulate, std::size_t batch);
 /// Makes the end of a solved step of `h` [s] the nodes' start, and leaves their ends behind; returns the work of pushes and
 /// twists [J].

@@ -60,8 +60,9 @@ Prediction::Prediction(Articulate& a, double h) : a_(a), h_(h), old_scale_(a.pre
 void Prediction::batch(std::size_t b) {
   NodeBatch& n = a_.batches[b];
   const auto miss = [&](std::size_t k, const Vec3x4& by) { rotations_missed_[k] += norm2(by) * n.reach2; };
-  const Vec3x4 next = extrapolate(a_.predictor.rates[b], n.a * rate_, old_scale_, a_.predictor.scale, order_, miss);
-  n.a = (order_ == 0 ? start_spins(a_, b) : next) * h_;
+  const Vec3x4 next =
+      extrapolate(a_.predictor.rates[b], n.cayley * rate_, old_scale_, a_.predictor.scale, order_, miss);
+  n.cayley = (order_ == 0 ? start_spins(a_, b) : next) * h_;
 }
 
 void Prediction::row(std::size_t k) {

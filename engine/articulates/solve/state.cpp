@@ -18,14 +18,14 @@ void load(Node& n, const Model& model, Vec3 gravity) {
     n.P0 = m.angular;
     n.q0 = m.q;
     n.R0 = matrix(m.q);
-    n.O0 = n.inverse_inertia * n.P0;
+    n.spin0 = n.inverse_inertia * n.P0;
     n.force = gravity * n.mass + m.force;
     n.torque = m.torque;
   } else {
     const FreeMotion& m = model.free_motion[n.slot];
     n.x0 = model.plane.along(m.x);
     n.p0 = m.v * n.mass;
-    n.P0 = n.O0 = n.torque = zero3();
+    n.P0 = n.spin0 = n.torque = zero3();
     n.q0 = {};
     n.R0 = identity33();
     n.force = gravity * n.mass + model.points.at_slot(n.slot).force;

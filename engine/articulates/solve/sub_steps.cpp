@@ -182,7 +182,7 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
   const auto move = [&](Node& x, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; i++) drift_alone(x, h / count);
   };
-  const auto turn = [&] { return norm(node.O0) * std::fabs(h) / n.count; };
+  const auto turn = [&] { return norm(node.spin0) * std::fabs(h) / n.count; };
   if (!node.turns || wanted.accuracy == 0.0) {
     move(node, n.count);
     return 0.0;
@@ -202,7 +202,7 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
   move(node, n.count);
   const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, error_ratio, move,
                                        [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
-  n.turn = static_cast<float>(norm(start.O0) * std::fabs(h) / n.count);
+  n.turn = static_cast<float>(norm(start.spin0) * std::fabs(h) / n.count);
   return tried.reached ? 0.0 : tried.rate;
 }
 

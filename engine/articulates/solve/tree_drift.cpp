@@ -62,7 +62,7 @@ TreeSums sums_of(const Articulate& a) {
 
 const Node& node(const Articulate& a, std::int32_t i) { return a.nodes[static_cast<std::size_t>(i)]; }
 Node& node(Articulate& a, std::int32_t i) { return a.nodes[static_cast<std::size_t>(i)]; }
-Vec3 spin(const Node& n) { return n.R0 * n.O0; }
+Vec3 spin(const Node& n) { return n.R0 * n.spin0; }
 Vec3 velocity(const Node& n) { return n.p0 * n.inverse_mass; }
 
 /// Largest difference of velocities that a hinge forbids [m/s], and the largest speed.
@@ -123,8 +123,8 @@ void turn_nodes(Articulate& a, const TreeState& state) {
     const std::size_t lane = slot % batch_size;
     n.q0 = {t.q.w[lane], t.q.x[lane], t.q.y[lane], t.q.z[lane]};
     n.R0 = matrix(n.q0);
-    n.O0 = transposed_times(n.R0, lane_of(t.w, lane));
-    n.P0 = n.inertia * n.O0;
+    n.spin0 = transposed_times(n.R0, lane_of(t.w, lane));
+    n.P0 = n.inertia * n.spin0;
   }
 }
 
