@@ -280,6 +280,10 @@ inline void drop_factor(Articulate& a, FactorOf of) {
 }
 /// It moves again, or is not to fall asleep before its motion was looked at anew.
 inline void wake(Articulate& articulate) { articulate.rest = {}; }
+/// [m] The largest gap that counts as closed.
+inline double largest_closed_gap(const Articulate& a) { return 1e-8 * a.length; }
+/// Whether rows have gaps that are still to be closed: with these no step is tried.
+inline bool is_open(const Articulate& a) { return a.gaps.unaccepted > largest_closed_gap(a); }
 /// Kinetic energy of a node's start, [J].
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.spin0)); }
 /// What a drift needs to know of the world.

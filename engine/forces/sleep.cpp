@@ -76,9 +76,7 @@ Still still(const World& world, const Thing& t, double time, double tolerance) {
   return {speed, 0.5 * least * speed * speed, 0.5 * least * slow * slow * length * norm(world.settings.gravity)};
 }
 
-bool is_closed(const Thing& t) {
-  return !t.articulate || (!t.articulate->fell_back && t.articulate->gaps.unaccepted <= 1e-8 * t.articulate->length);
-}
+bool is_closed(const Thing& t) { return !t.articulate || (!t.articulate->fell_back && !is_open(*t.articulate)); }
 
 /// What laws do to bodies and points: [N], [N m].
 std::vector<BodyLoad> pulls_of_laws(const World& world) {

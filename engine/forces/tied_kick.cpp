@@ -27,9 +27,7 @@ double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + nor
 bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
-bool forbids(const Articulate& a) {
-  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.unaccepted <= 1e-8 * a.length;
-}
+bool forbids(const Articulate& a) { return !a.forbids_nothing && !a.fell_back && !a.torn && !is_open(a); }
 
 }  // namespace
 

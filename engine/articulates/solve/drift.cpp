@@ -58,7 +58,7 @@ void fall_back_over(Articulate& a, const DriftSettings& settings, const Part& pa
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
 void stand_still(Articulate& a, double step, double at) {
   set_conditions(a, step, at, at);
-  for (Node& n : a.nodes) put_end_at_start(n);
+  for (Node& n : a.nodes) set_end_from_start(n);
   place_rows_at_end(a);
 }
 
@@ -144,7 +144,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
   if (part.from < a.moved_to) return;
   const double h = settings.step * (part.to - part.from);
   set_conditions(a, settings.step, part.from, part.to);
-  if (a.gaps.unaccepted > 1e-8 * a.length) return fall_back_over(a, settings, part, report);
+  if (is_open(a)) return fall_back_over(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.sums_impulses) return;
     add_forces_exerted(a, h);
@@ -171,7 +171,7 @@ EnergyOfConsistency make_start_consistent(Articulate& a, double step, double at)
   measure_gaps(a);
   for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
     c.held = !c.ranged && std::isinf(c.upper) && !row(a, c).rule->held_at_end;
-  a.torn = a.gaps.unaccepted > 1e-8 * a.length;
+  a.torn = is_open(a);
   if (a.torn) return {};
   const WantedVelocities wanted(a, step, at);
   const bool free = is_free(a);
@@ -229,12 +229,12 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     a.moved_to = 0.0;
     a.sums_impulses = false;
     a.exerted_time = 0.0;
-    const bool open = a.gaps.unaccepted > 1e-8 * a.length;
+    const bool open = is_open(a);
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
-  const bool open = a.gaps.unaccepted > 1e-8 * a.length;
+  const bool open = is_open(a);
   const double sub_step = (settings.to - settings.from) / count;  // of the step
   for (std::uint32_t i = 0; i < count; i++) {
     const double to = i + 1 == count ? settings.to : settings.from + sub_step * (i + 1);
@@ -242,7 +242,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   }
   end_effort(a, spare, open, report);
   if (a.torn) report.after_edit += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
-  a.torn = a.torn && a.gaps.unaccepted > 1e-8 * a.length;
+  a.torn = a.torn && is_open(a);
 }
 
 }  // namespace pantin

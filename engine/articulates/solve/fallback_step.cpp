@@ -112,9 +112,7 @@ void move_by_solution(Articulate& a, bool may_turn) {
     const auto straight = unpack(n.p), turning = unpack(n.L);
     for (std::size_t lane = 0; lane < n.count; lane++) {
       Node& node = a.nodes[batch_size * b + lane];
-      node.x0 = node.x1;
-      node.q0 = node.q1;
-      node.R0 = node.R1;
+      set_start_from_end(node);
       node.x1 = node.x0 + straight[lane] * node.inverse_mass;
       if (!node.turns || !may_turn) continue;
       const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
@@ -156,7 +154,7 @@ void close_gaps(Articulate& a, double tolerance, int& tries_left, Closing closin
       sum = now;
       continue;
     }
-    for (Node& n : a.nodes) put_end_at_start(n);
+    for (Node& n : a.nodes) set_end_from_start(n);
     find_gaps(a, closing);
     epsilon *= 20.0;
   }
@@ -169,7 +167,7 @@ void move_freely(Articulate& a, double h, double fraction) {
     const Vec3 P = n.P0;
     n.x0 += n.p0 * (h * fraction * n.inverse_mass);
     if (n.turns && fraction > 0.0) turn_freely(n, h * fraction);
-    put_end_at_start(n);
+    set_end_from_start(n);
     if (fraction < 1.0) n.P0 = P;
   }
 }
@@ -178,7 +176,7 @@ void move_freely(Articulate& a, double h, double fraction) {
 /// motion was too wild: again from the start over a quarter of it, a sixteenth, and in the end not at all.
 void drift_and_close(Articulate& a, double h, double tolerance) {
   find_gaps(a);
-  double allowed = 1e-8 * a.length;
+  double allowed = largest_closed_gap(a);
   for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
   const int most = a.torn ? 60 : a.fell_back ? 36 : 12;  // the next step goes on
   for (double fraction = 1.0;; fraction = fraction > 0.2 ? 0.25 * fraction : 0.0) {
@@ -199,17 +197,6 @@ void shift_to(Articulate& a, Vec3 centre) {
   }
 }
 
-/// The ends become the starts.
-void begin_at_ends(Articulate& a) {
-  for (Node& n : a.nodes) {
-    n.x0 = n.x1;
-    if (!n.turns) continue;
-    n.q0 = n.q1;
-    n.R0 = n.R1;
-    n.spin0 = n.inverse_inertia * n.P0;
-  }
-}
-
 /// Whether no anchor moves, and no value that a row keeps changes.
 bool nothing_driven(const Articulate& a) {
   return std::all_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
@@ -225,7 +212,7 @@ void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
     n.p0 = zero3();
     n.P0 = n.P0 - n.P0 * n.felt_axes;
     n.spin0 = n.inverse_inertia * n.P0;
-    put_end_at_start(n);
+    set_end_from_start(n);
   }
   find_gaps(a);
   measure_gaps(a);
@@ -262,9 +249,7 @@ class OnlyDissipates {
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
-  if (a.loop_free || !nothing_driven(a) || a.gaps.unaccepted <= 1e-8 * a.length ||
-      a.gaps.unaccepted > tolerance * a.length)
-    return;
+  if (a.loop_free || !nothing_driven(a) || !is_open(a) || a.gaps.unaccepted > tolerance * a.length) return;
   for (Row& row : a.rows)
     if (!is_soft(row)) accept_gap(a, row);
   a.offsets = true;
@@ -280,7 +265,7 @@ void close_displaced(Articulate& a) {
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
   const double open_before = a.gaps.unaccepted;
-  for (Node& n : a.nodes) put_end_at_start(n);
+  for (Node& n : a.nodes) set_end_from_start(n);
   place_rows_at_start(a);
   hold_stiff(a);
   std::vector<Vec3> angular;
@@ -290,7 +275,7 @@ void close_displaced(Articulate& a) {
   if (tries_left < most) {
     for (std::size_t i = 0; i < a.nodes.size(); i++)
       if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
-    begin_at_ends(a);
+    for (Node& n : a.nodes) set_start_from_end(n);
   }
   release_stiff(a);
   a.rows = rows;
@@ -305,7 +290,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   OnlyDissipates energy(a, settings.gravity, report);
   place_rows_at_start(a);
   hold_stiff(a);
-  for (Node& n : a.nodes) put_end_at_start(n);
+  for (Node& n : a.nodes) set_end_from_start(n);
   kick(a, h, settings.gravity, report);
   const bool free = is_free(a);
   const Momenta momenta = momenta_of(a);
@@ -316,7 +301,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   for (Condition& c : a.conditions) c.held_before = c.held;
   a.saved = a.nodes;
   drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
-  begin_at_ends(a);
+  for (Node& n : a.nodes) set_start_from_end(n);
   if (free) shift_to(a, centre);
   accept_gaps(a, settings.tolerance, report);
   for (Condition& c : a.conditions) c.held = c.held_before;

@@ -89,21 +89,25 @@ inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
 /// Rotation at the end for a change da of the Cayley vector.
 inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.cayley, da) * 0.5) * n.c; }
 
-/// Puts the start of the step in the place of its end, but for momenta.
-inline void put_end_at_start(Node& n) {
+/// The end of the step is where its start is; its momenta are not touched.
+inline void set_end_from_start(Node& n) {
   n.x1 = n.x0;
   n.q1 = n.q0;
   n.R1 = n.R0;
 }
-/// Puts the end of the step in the place of its start.
-inline void commit(Node& n) {
+/// The start is where the end is, with the momenta that it has, angular ones in principal axes.
+inline void set_start_from_end(Node& n) {
   n.x0 = n.x1;
-  n.p0 = n.p1;
   if (!n.turns) return;
-  n.P0 = n.P1;
   n.q0 = n.q1;
   n.R0 = n.R1;
   n.spin0 = n.inverse_inertia * n.P0;
+}
+/// The same with the momenta of the end.
+inline void commit(Node& n) {
+  n.p0 = n.p1;
+  if (n.turns) n.P0 = n.P1;
+  set_start_from_end(n);
 }
 
 }  // namespace pantin

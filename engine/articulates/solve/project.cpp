@@ -181,7 +181,7 @@ void tell_momenta(Articulate& a) {
 /// Fills and factorises S1 at the nodes' starts for what the rows forbid there; what settles has 1/m_s on its diagonal.
 void factorise_projection(Articulate& a, double epsilon) {
   set_kept_matrices(a);
-  for (Node& n : a.nodes) put_end_at_start(n);
+  for (Node& n : a.nodes) set_end_from_start(n);
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -433,14 +433,14 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
 void place_velocity_constraints(Articulate& a, double step, double at, double wanted_at) {
   set_conditions(a, step, at, at);
   const WantedVelocities wanted(a, step, wanted_at);
-  for (Node& n : a.nodes) put_end_at_start(n);
+  for (Node& n : a.nodes) set_end_from_start(n);
   place_rows_at_end(a);
   set_velocity_constraints(a);
 }
 
 void begin_answers(Articulate& a, double epsilon) {
   if (a.factor_of != FactorOf::projection) {
-    for (Node& n : a.nodes) put_end_at_start(n);
+    for (Node& n : a.nodes) set_end_from_start(n);
     place_rows_at_end(a);
   }
   set_velocity_constraints(a);

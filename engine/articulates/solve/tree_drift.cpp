@@ -40,7 +40,7 @@ bool only_gravity_acts(const Articulate& a, Vec3 gravity) {
     return same(c.whole0, c.whole1) && c.bent == Bent::nothing && norm2(c.velocity) == 0.0;
   };
   const auto falls = [&](const Node& n) { return same(n.force, gravity * n.mass) && norm2(n.torque) == 0.0; };
-  return a.gaps.unaccepted <= 1e-8 * a.length && !a.torn && !a.offsets && !a.fell_back &&
+  return !is_open(a) && !a.torn && !a.offsets && !a.fell_back &&
          std::all_of(a.conditions.begin(), a.conditions.end(), stays) &&
          std::all_of(a.nodes.begin(), a.nodes.end(), falls);
 }
