@@ -68,11 +68,13 @@ struct Coupling {
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
 
-/// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs
-/// is done and what it reads is still in the cache: rows below `forces` whose force is set, batches whose rows are all below it, rows whose batches are all
-/// below `batches`, columns of the factor that reach only rows below `rows`.
+/// How far a sweep in the order of elimination goes in each kind of work, one after the other, before it goes on with the
+/// first: so each finds done what it needs, and in the cache what it reads.
 struct Tile {
-  std::uint32_t forces = 0, batches = 0, rows = 0, columns = 0;
+  std::uint32_t forces = 0;   ///< rows below it get their force
+  std::uint32_t batches = 0;  ///< batches below it are placed: all their rows are below `forces`
+  std::uint32_t rows = 0;     ///< rows below it are evaluated: all their batches are below `batches`
+  std::uint32_t columns = 0;  ///< columns of the factor below it are eliminated: they reach only rows below `rows`
 };
 
 /// Largest distances that rows should have closed, [m].
@@ -95,7 +97,8 @@ struct ImpulseWork {
 
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
-  std::uint32_t iterations = 0, factorisations = 0, halved = 0, fallbacks = 0, projections = 0, offsets = 0;
+  std::uint32_t iterations = 0, factorisations = 0, halved = 0, fallbacks = 0, exact_projections = 0,
+                offsets_accepted = 0;
   double unreached = 0.0;             // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double nonconservative_work = 0.0;  // [J] of solved laws without energy that do not depend on velocities
   double damped = 0.0;                // [J] of those that do, of what settles, and of what is swallowed
@@ -103,7 +106,7 @@ struct DriftReport {
   double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
   double after_edit = 0.0;            // [J] of making velocities consistent after an edit
-  double projected = 0.0;             // [J] of the symmetric projection
+  double energy_projected = 0.0;      // [J] of the symmetric projection
   double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
   double unsolved = 0.0;          // [J] of forces on gaps that the iteration left open; only where the ledger is kept
   double round_off = 0.0;         // [J] what round-off of positions makes of the work of rows; the same
@@ -194,7 +197,7 @@ struct ArticulateState {
   bool lowered = false;                     // epsilon was lowered in the last attempt
   FactorOf factor_of = FactorOf::none;
   bool fell_back = false;        // the last step was a fallback step
-  bool offsets = false;          // gaps of rows were accepted
+  bool has_offsets = false;      // gaps of rows were accepted
   bool edited = true;            // new: velocities are still to be made consistent
   bool torn = false;             // by an edit, and still open
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
@@ -214,9 +217,9 @@ struct ArticulateState {
   bool by_tree = false;  // it was moved by its tree last, and its velocities are as the rows want them
   // (stages) since it was too stiff for its tree, that one counted; 0: it is not, or never was
   std::uint16_t stages_not_stiff = 0;
-  DriftReport report;      // of the last drift
-  DriftReport projection;  // of the last projection, or of what settles after it
-  NodeTotals totals;       // at the end of the last step
+  DriftReport report;             // of the last drift
+  DriftReport projection_report;  // of the last projection, or of what settles after it
+  NodeTotals totals;              // at the end of the last step
   Rest rest;
 };
 

@@ -62,6 +62,8 @@ inline Mat3 times_transposed(const Mat3& a, const Mat3& b) {
   for (int j = 0; j < 3; j++) c[j] = a[0] * b[0][j] + a[1] * b[1][j] + a[2] * b[2][j];
   return c;
 }
+/// Σ d_k a_k a_k' of the columns of a
+inline Mat3 congruent(const Mat3& a, Vec3 d) { return times_transposed({{a[0] * d[0], a[1] * d[1], a[2] * d[2]}}, a); }
 /// a b' of two vectors
 inline Mat3 outer(Vec3 a, Vec3 b) { return {{a * b[0], a * b[1], a * b[2]}}; }
 /// The matrix v^ of the cross product: hat(v) w = v x w.

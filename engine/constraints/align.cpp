@@ -20,7 +20,7 @@ double evaluate_align(Row& row, Condition& c, const RowContext& context) {
       context);
 }
 
-void project_align(const Row& row, Condition& c) { project_function(c, cross(row.rb1, row.ra1)); }
+void project_align(const Row& row, Condition& c, bool holds) { project_function(c, cross(row.rb1, row.ra1), holds); }
 
 Vec3 align_gap(const Row& row, const Condition& c) {
   return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.kept_value - c.accepted);

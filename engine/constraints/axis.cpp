@@ -9,7 +9,7 @@ namespace pantin {
 namespace {
 
 double evaluate_axis(Row& row, Condition& c, const RowContext& context) {
-  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  const double kappa = context.kappa();
   const Vec3 n = mean_axis(row), open = row.d1 - row.offset;
   const double along = dot(row.f, n);
   row.residual = open + n * (along * kappa);
@@ -18,7 +18,7 @@ double evaluate_axis(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(norm(open), std::fabs(along) * kappa);
 }
 
-void project_axis(const Row& row, Condition& c) {
+void project_axis(const Row& row, Condition& c, bool) {
   const Vec3 n = direction(row.ra1 + row.rb1);
   c.kept = identity33() - outer(n, n);
 }

@@ -28,7 +28,7 @@ Hold hold(const Condition& c, const ConstraintFunction& r, double along, double 
 }  // namespace
 
 double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
-  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  const double kappa = context.kappa();
   const double along = dot(row.f, r.n);
   const Hold h = hold(c, r, along, kappa);
   c.held = h.held;
@@ -43,13 +43,12 @@ double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, co
   row.residual = r.n * h.gap + across * kappa;
   c.M = outer(r.n, r.gradient) - P * (kappa * along * r.turn_of_n);
   c.C = P * kappa;
-  const double scale = std::fmax(kappa, r.displacement / std::fmax(norm(row.f), 1e-3 * r.displacement / kappa));
-  return std::fmax(std::fabs(h.gap), norm(across) * scale);
+  return std::fmax(std::fabs(h.gap), norm(across) * length_per_force(norm(row.f), r.displacement, kappa));
 }
 
-void project_function(Condition& c, Vec3 gradient, double slope) {
+void project_function(Condition& c, Vec3 gradient, bool holds, double slope) {
   c.kept = zero33();
-  if (!c.held) return;
+  if (!holds) return;
   const Vec3 n = direction(gradient);
   c.kept = outer(n, n);
   c.wanted += n * (c.value_rate / slope);

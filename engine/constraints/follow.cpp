@@ -34,7 +34,7 @@ Vec3 soft_pull(const Row& row, const Condition& c, const RowContext& context) {
   return pull > c.max_force ? z * (c.max_force / pull) : z;
 }
 
-void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
+void project_soft(const Row&, Condition& c, bool) { c.kept = zero33(); }
 
 }  // namespace
 

@@ -16,7 +16,7 @@ double evaluate_attract(Row& row, Condition& c, const RowContext&) {
   return norm(row.residual);
 }
 
-void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
+void project_attract(const Row&, Condition& c, bool) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
 

@@ -1,18 +1,11 @@
 #include "constraints/load.hpp"
 
-#include "base/functions.hpp"
 #include "constraints/coupling.hpp"
 #include "constraints/kind.hpp"
 #include "constraints/row_rule.hpp"
 #include "model/path.hpp"
 
 namespace pantin {
-
-Quat quaternion_of(Vec3 rotation) {
-  const double angle = norm(rotation);
-  const Vec3 u = direction(rotation) * functions::sin(0.5 * angle);
-  return {functions::cos(0.5 * angle), u[0], u[1], u[2]};
-}
 
 namespace {
 

@@ -13,6 +13,4 @@ void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c
 /// Of an axis that is attracted to another one: the second turns. Nothing where the row is of another kind.
 void load_axis(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);
 
-Quat quaternion_of(Vec3 rotation);
-
 }  // namespace pantin

@@ -30,7 +30,7 @@ PathEnd end_near(const Path& path, double u, Vec3 d) {
 
 double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Path& path = *c.path;
-  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  const double kappa = context.kappa();
   c.angle1 = path.nearest(row.d1, c.angle0);
   const Vec3 position = path.position(c.angle1), open = row.d1 - position;
   const PathEnd end = end_near(path, c.angle1, row.d1);
@@ -50,13 +50,12 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const double turned = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * turned);
   c.C = outer(n, n) * kappa;
-  const double scale = std::fmax(kappa, displacement / std::fmax(norm(row.f), 1e-3 * displacement / kappa));
-  return std::fmax(norm(open - row.offset), std::fabs(along) * scale);
+  return std::fmax(norm(open - row.offset), std::fabs(along) * length_per_force(norm(row.f), displacement, kappa));
 }
 
-void project_path(const Row&, Condition& c) {
+void project_path(const Row&, Condition& c, bool holds) {
   const Vec3 T = c.path->tangent(c.angle1);
-  c.kept = c.held ? identity33() : identity33() - outer(T, T);
+  c.kept = holds ? identity33() : identity33() - outer(T, T);
 }
 
 Stop stop_of_path(const Row& row, const Condition& c) {

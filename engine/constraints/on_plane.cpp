@@ -13,7 +13,7 @@ double evaluate_plane(Row& row, Condition& c, const RowContext& context) {
   return evaluate_function(row, c, {c.normal, c.normal, height, height, 0.0, norm(row.d1 - row.d0)}, context);
 }
 
-void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
+void project_plane(const Row&, Condition& c, bool holds) { project_function(c, c.normal, holds); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
 

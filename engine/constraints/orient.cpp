@@ -1,6 +1,6 @@
 // An orient: a body keeps an orientation, by a rigid angular row.
+#include "base/rotation.hpp"
 #include "constraints/geometry.hpp"
-#include "constraints/load.hpp"
 #include "constraints/plans.hpp"
 
 namespace pantin {

@@ -30,7 +30,7 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   return evaluate_function(row, c, r, context);
 }
 
-void project_rod(const Row& row, Condition& c) { project_function(c, row.d1); }
+void project_rod(const Row& row, Condition& c, bool holds) { project_function(c, row.d1, holds); }
 
 Stop stop_of_rod(const Row& row, const Condition& c) {
   const double length = norm(row.d1) - c.accepted;

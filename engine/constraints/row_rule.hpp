@@ -9,7 +9,16 @@ namespace pantin {
 struct RowContext {
   double h;         ///< [s]
   double mobility;  ///< [1/kg] of the row, from masses, inertia and arms alone: how far a force moves it
+
+  /// [m/N] κ: how far a force moves the row in the step.
+  double kappa() const { return 0.5 * h * h * mobility; }
 };
+
+/// [m/N] The length as which a force [N] counts that a row should not have: what it moves, or the work that it does on a
+/// `displacement` [m] as a part of that of all the row's `force` [N].
+inline double length_per_force(double force, double displacement, double kappa) {
+  return std::fmax(kappa, displacement / std::fmax(force, 1e-3 * displacement / kappa));
+}
 
 /// The nearer end of a row's range.
 struct Stop {
@@ -44,8 +53,9 @@ struct RowRule {
                                                                                            const Orientations&) {};
   /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres. Not asked of rigid rows.
   double (*evaluate)(Row& row, Condition& condition, const RowContext& context) = nullptr;
-  /// Sets `kept`, and adds to `wanted` what changes by prescription.
-  void (*project)(const Row& row, Condition& condition) = [](const Row&, Condition&) {};
+  /// Sets `kept`, and adds to `wanted` what changes by prescription; of a row with a range or a limit of its force as it does
+  /// where it `holds` or not.
+  void (*project)(const Row& row, Condition& condition, bool holds) = [](const Row&, Condition&, bool) {};
   /// What is still to be closed at the end of the step, [m], as a change of d1. Not asked of rigid and coupled rows.
   Vec3 (*gap)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return zero3(); };
   /// Of a row that stops something, at the end of the step. Not asked of coupled ones.
@@ -89,11 +99,11 @@ struct ConstraintFunction {
 /// Sets residual, M, C and `held`; returns the size of the residual [m]. Held, the force along n is what keeps the value
 /// at the end of its range; else it is 0, or the limit that it would exceed. Which, is told by where the force would go
 /// to close the gap (Alart and Curnier 1991). Held to n by two more equations: n g + κ P f = 0, P = 1 - n n',
-/// κ = (h²/2) mobility to make a force a length.
+/// κ makes a force a length.
 double evaluate_function(Row& row, Condition& condition, const ConstraintFunction& function, const RowContext& context);
-/// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it is held; `slope` is by how much the
+/// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it holds; `slope` is by how much the
 /// value changes with d along that.
-void project_function(Condition& condition, Vec3 gradient, double slope = 1.0);
+void project_function(Condition& condition, Vec3 gradient, bool holds, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
 inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.kept_value); }
 inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.kept_value); }

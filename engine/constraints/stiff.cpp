@@ -143,6 +143,8 @@ StiffPull pull_at(StiffBond& bond, Vec3 d) {
   return p;
 }
 
+double StiffBond::first_length() const { return 1e12 * std::sqrt(least2); }
+
 bool StiffBond::is_nonconservative() const {
   return solve == Solve::at_end ||
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
@@ -216,7 +218,7 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
-void project_stiff(const Row& row, Condition& c) {
+void project_stiff(const Row& row, Condition& c, bool) {
   const Vec3 n = c.settles ? direction(row.d1) : zero3();
   c.kept = outer(n, n);
   c.wanted += n * c.mean_rate;

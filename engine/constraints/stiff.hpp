@@ -14,7 +14,7 @@ struct StiffBond {
   Solve solve = Solve::at_middle;
   std::vector<PairCurve> curves;  // of the law, and of the laws that act with it
   std::vector<double> energy0;    // (curves) [J] at the start of the step being solved
-  double least2 = 0.0;            // [m²] below it distances count as equal to its root
+  double least2 = 0.0;            // [m²] below it distances count as equal to its root: of the first length 1e-12
   double rate0 = 0.0;             // [m/s] of the distance at the start
   std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
   bool damping_known = false;     // of the step being solved, as are:
@@ -22,6 +22,8 @@ struct StiffBond {
   double settling = 0.0;          // [kg] m_s, and what it draws to:
   double mean_rate = 0.0;         // [m/s] of the distance over the step
 
+  /// [m] Between its ends when it was made; 1 where they were at one position.
+  double first_length() const;
   /// Whether it takes energy or gives it.
   bool is_nonconservative() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.

@@ -8,7 +8,7 @@ namespace {
 
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
-  const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yields_by);
+  const double kappa = context.kappa(), weight = kappa / (1.0 + kappa / c.yields_by);
   const double wanted = -r.above_low / c.yields_by, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
   row.residual = (row.f - r.n * given) * weight;
@@ -25,9 +25,9 @@ double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   return evaluate_function(row, c, function, context);
 }
 
-void project_turn(const Row& row, Condition& c) {
+void project_turn(const Row& row, Condition& c, bool holds) {
   const Vec3 gradient = angle_gradient(row);
-  project_function(c, gradient,
+  project_function(c, gradient, holds,
                    std::fmax(1.0, norm(gradient)));  // less only where the axes are opposite, and it has none
 }
 

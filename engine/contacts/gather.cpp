@@ -17,10 +17,6 @@ constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm islan
 constexpr double calm_speed = 0.1;  // of what falls by about its reach
 constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
 
-Mat3 in_world(const Mat3& R, Vec3 principal) {
-  return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
-}
-
 IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   IslandBody b;
   b.mass = s.mass;
@@ -32,10 +28,10 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
     turning[i] = 0.0;
     b.turns_about_all = false;
   }
-  b.inertia = in_world(s.R, inertia);
+  b.inertia = congruent(s.R, inertia);
   for (int i = 0; i < 3; i++) b.root[i] = s.R[i] * std::sqrt(s.inverse_inertia[i]);
   b.inverse_inertia = times_transposed(b.root, b.root);
-  if (!b.turns_about_all) b.turning = in_world(s.R, turning);
+  if (!b.turns_about_all) b.turning = congruent(s.R, turning);
   b.reach = reach;
   b.v0 = velocity;
   b.w0 = s.w;

@@ -129,7 +129,7 @@ void count(World& world, const Articulate& articulate) {
   post_work(world, report);
   post(world, Source::edit, report.after_edit);
   post_report(world, report);
-  if (report.offsets > 0)
+  if (report.offsets_accepted > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
   if (report.unreached > 0.0)
     tell_unreached(world, report.unreached, "the motion of what is tied to " + first_of(world, articulate));
@@ -240,8 +240,8 @@ bool ends_in_drift(const World& world) {
 }
 
 void project(Articulate& articulate, const DriftSettings& settings) {
-  articulate.projection = {};
-  if (!articulate.by_tree) pantin::project_velocities(articulate, settings, articulate.projection);
+  articulate.projection_report = {};
+  if (!articulate.by_tree) pantin::project_velocities(articulate, settings, articulate.projection_report);
 }
 
 /// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
@@ -337,9 +337,9 @@ void project_articulates(World& world) {
     });
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
-    world.stats.projections += articulate->projection.projections;
-    post_work(world, articulate->projection);
-    returned += articulate->projection.returned;
+    world.stats.projections += articulate->projection_report.exact_projections;
+    post_work(world, articulate->projection_report);
+    returned += articulate->projection_report.returned;
   }
   post_projection(world, before, returned);
 }
@@ -350,10 +350,11 @@ void settle_articulates(World& world) {
   if (std::none_of(world.articulates.begin(), world.articulates.end(), settles)) return;
   const LedgerMark before = ledger_mark(world, true);
   share_articulates(world, [&](Articulate& articulate, int) {
-    articulate.projection = {};
-    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.projection);
+    articulate.projection_report = {};
+    if (!articulate.rest.asleep && is_to_settle(articulate))
+      settle_velocities(articulate, articulate.projection_report);
   });
-  for (const auto& articulate : world.articulates) post_work(world, articulate->projection);
+  for (const auto& articulate : world.articulates) post_work(world, articulate->projection_report);
   post_projection(world, before, 0.0);
 }
 

@@ -90,7 +90,7 @@ void post_kick(World& world, const LedgerMark& before, bool drifted) {
 
 void post_report(World& world, const DriftReport& report) {
   if (!world.ledger.kept) return;
-  post_inside(world, Source::projection, report.projected);
+  post_inside(world, Source::projection, report.energy_projected);
   post_inside(world, Source::fallback_step, report.dissipated);
   post_inside(world, Source::unsolved, report.unsolved);
   post_inside(world, Source::integrator, report.inexact);

@@ -6,7 +6,6 @@
 
 #include "articulates/build/elimination.hpp"
 #include "articulates/build/history.hpp"
-#include "articulates/solve/conditions.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"

@@ -64,7 +64,7 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
       const Constraint& c = model.constraints[condition(a, row).constraint];
       if (rule_of(c).size != nullptr) lengths.push_back(rule_of(c).size(c));
     }
-    if (pulls_by_law(row)) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
+    if (pulls_by_law(row)) lengths.push_back(condition(a, row).stiff->first_length());
     if (row.lever > 0.0) {
       lengths.push_back(row.lever);
       continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "articulates/solve/conditions.hpp"
 #include "constraints/kind.hpp"
 #include "constraints/row_rule.hpp"
 

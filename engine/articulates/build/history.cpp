@@ -66,7 +66,7 @@ void History::inherit(Articulate& to) const {
     to.stages_not_stiff = std::max(to.stages_not_stiff, from.stages_not_stiff);
     to.weak = to.weak || from.weak;
     to.fell_back = to.fell_back || from.fell_back;
-    to.edited = to.edited || from.edited || from.offsets;
+    to.edited = to.edited || from.edited || from.has_offsets;
     to.torn = to.torn || from.torn;
     to.effort.usual = last == nullptr ? from.effort.usual : std::max(to.effort.usual, from.effort.usual);
     to.effort.failed = std::max(to.effort.failed, from.effort.failed);

@@ -4,7 +4,6 @@
 
 #include "articulates/build/build.hpp"
 #include "articulates/build/edges.hpp"
-#include "articulates/solve/conditions.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"
 

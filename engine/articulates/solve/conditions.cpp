@@ -4,7 +4,7 @@
 
 #include "articulates/solve/matrix.hpp"
 #include "base/functions.hpp"
-#include "constraints/load.hpp"
+#include "base/rotation.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {

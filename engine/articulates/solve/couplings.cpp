@@ -131,9 +131,9 @@ double sum_of(const Articulate& a, const Coupling& coupling) {
   return sum;
 }
 
-/// By how much a force across what it should be counts [m]: what it moves, or the work that it does, as in evaluate_function.
+/// By how much a force across what it should be counts [m].
 double size_across(const Vec3& across, const Row& row, const Value& v, double kappa) {
-  return norm(across) * std::fmax(kappa, v.displacement / std::fmax(norm(row.f), 1e-3 * v.displacement / kappa));
+  return norm(across) * length_per_force(norm(row.f), v.displacement, kappa);
 }
 
 /// Of a row whose coupling is slack: κ f = 0. Returns the size of the residual [m], as do those below.
@@ -173,7 +173,7 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
   const Value of_head = value(a, coupling, head, c, 1.0);
-  const double kappa = 0.5 * h * h * mobility(a, head),
+  const double kappa = RowContext{h, mobility(a, head)}.kappa(),
                over = sum_of(a, coupling) - c.kept_value / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.force_by_lambda * kappa < over;
   double worst = 0.0;

@@ -31,7 +31,7 @@ void forget_history(Articulate& a) {
 
 /// From here on the full sub-step is cut into parts.
 void cut(Articulate& a) {
-  const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  const double sign = symmetric_sign(a);
   a.sums_impulses = true;
   begin_exerted(a);
   for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric_impulses[k] * sign;
@@ -82,7 +82,7 @@ double make_consistent_at(Articulate& a, const DriftSettings& settings, double a
 void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
   cut(a);
   const double given = make_consistent_at(a, settings, at, report);
-  report.projected += given;
+  report.energy_projected += given;
   a.symmetric_energy += given;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "articulates/solve/momenta.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -20,13 +21,11 @@ struct Moments {
 Moments moments_about(const Articulate& a, Vec3 X) {
   Moments m;
   for (const Node& n : a.nodes) {
-    const Vec3 d = n.x0 - X;
-    m.inertia += (identity33() * norm2(d) - outer(d, d)) * n.mass;
-    m.angular += cross(d, n.p0);
+    add_locked_inertia(m.inertia, n, X);
+    m.angular += cross(n.x0 - X, n.p0);
     m.kinetic += kinetic_energy(n);
     if (!n.turns) continue;
-    const Vec3 i = n.inertia * n.felt_axes, P = n.P0 * n.felt_axes;
-    m.inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
+    const Vec3 P = n.P0 * n.felt_axes;
     m.angular += n.R0 * P;
     m.unfelt += 0.5 * dot(n.P0 - P, n.spin0);
   }

@@ -10,7 +10,7 @@
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/state.hpp"
-#include "base/functions.hpp"
+#include "base/rotation.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -25,9 +25,7 @@ void evaluate_euler(Node& n, double h) {
   const Vec3 L = n.R0 * n.P0 + (n.row_torque + n.torque) * h;
   const Vec3 turn = n.inverse_inertia * transposed_times(n.R0, L) * h;
   n.cayley = n.R0 * turn;
-  const double angle = norm(turn), s = functions::sin(0.5 * angle);
-  const Vec3 u = direction(turn) * s;
-  n.q1 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
+  n.q1 = n.q0 * quaternion_of(turn);
   n.R1 = matrix(n.q1);
   n.P1 = transposed_times(n.R1, L);
 }
@@ -58,7 +56,7 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
   double e = evaluate_euler(a, h);
   for (int i = 0; i < 40 && e > tolerance; i++) {
-    factorise(a, {Arms::start, 1e-10, 1.0 / (h * h), -1.0 / (h * h)});
+    factorise(a, {.right = Arms::start, .epsilon = 1e-10, .times_C = 1.0 / (h * h), .times_residual = -1.0 / (h * h)});
     report.factorisations++;
     solve_hubs(a);
     for (std::size_t k = a.rows.size(); k-- > 0;) {

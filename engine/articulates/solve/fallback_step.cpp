@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "articulates/solve/angular_rows.hpp"
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/energy_return.hpp"
 #include "articulates/solve/loose.hpp"
@@ -90,7 +89,7 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
       Condition& c = condition(a, row);
       if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
       c.held_before = c.held_before || c.held;
-      row.rule->project(row, c);
+      row.rule->project(row, c, c.held);
       if (closing == Closing::what_stays && c.gives_way && !c.ranged) {
         row.residual = zero3();
         c.kept = zero33();
@@ -115,7 +114,7 @@ void move_by_solution(Articulate& a, bool may_turn) {
       set_start_from_end(node);
       node.x1 = node.x0 + straight[lane] * node.inverse_mass;
       if (!node.turns || !may_turn) continue;
-      const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
+      const Vec3 u = congruent(node.R0, node.inverse_inertia) * turning[lane] * 0.5;
       node.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * node.q0);
       node.R1 = matrix(node.q1);
     }
@@ -125,7 +124,8 @@ void move_by_solution(Articulate& a, bool may_turn) {
 /// One step of Levenberg and Marquardt from the gaps at hand, in which nodes may turn or are only shifted. Returns Σ g²
 /// after it [m²].
 double try_to_close(Articulate& a, double epsilon, double scale, bool may_turn, Closing closing) {
-  factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, may_turn});
+  factorise(a,
+            {.right = Arms::end, .epsilon = epsilon, .times_C = scale, .times_residual = -1.0, .may_turn = may_turn});
   a.report.iterations++;
   a.report.factorisations++;
   solve_hubs(a);
@@ -252,8 +252,8 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
   if (a.loop_free || !nothing_driven(a) || !is_open(a) || a.gaps.unaccepted > tolerance * a.length) return;
   for (Row& row : a.rows)
     if (!is_soft(row)) accept_gap(a, row);
-  a.offsets = true;
-  report.offsets++;
+  a.has_offsets = true;
+  report.offsets_accepted++;
   measure_gaps(a);
 }
 

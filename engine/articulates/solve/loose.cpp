@@ -1,6 +1,7 @@
 #include "articulates/solve/loose.hpp"
 
 #include "base/functions.hpp"
+#include "base/rotation.hpp"
 
 namespace pantin {
 
@@ -121,8 +122,7 @@ void turn_as_symmetric(Node& n, double h) {
   };
   correct();
   const double size = norm(n.P0), angle = size * inverse[j] * h;  // of a symmetric top, about its angular momentum
-  const Vec3 u = direction(n.P0) * functions::sin(0.5 * angle);
-  n.q0 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
+  n.q0 = n.q0 * quaternion_of(direction(n.P0), angle);
   if (inverse[axis] != inverse[j])
     turn_about(n, axis, n.P0[axis] * (inverse[axis] - inverse[j]) * h);  // and about itself
   correct();

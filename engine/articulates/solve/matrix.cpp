@@ -101,7 +101,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Mat3& d = a.factor.diagonal[k];
   const double own = trace(d) / 3.0;
-  if (!is_rigid(row)) d += condition(a, row).C * system.scale;
+  if (!is_rigid(row)) d += condition(a, row).C * system.times_C;
   double compliance = system.epsilon * trace(d) / 3.0;
   if (!a.hubs.empty()) {
     // A hub gives nothing to the diagonal. A row between hubs has the compliance for a pivot: less would lose more digits.
@@ -138,7 +138,7 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
       if (const Coupling* coupling = coupling_of_head(a, k))
         side += into_head(a, *coupling, [&](const Row& other) { return gather_for_row(a, condition(a, other).row); });
   }
-  a.right_side[k] = side * system.right_scale;
+  a.right_side[k] = side * system.times_residual;
 }
 
 Mat3x4 angular_mobility(const Articulate& a, std::size_t b, const System& system) {
@@ -171,7 +171,7 @@ void add_coupled_blocks(Articulate& a, const Coupling& coupling, const System& s
   }
   for (const HeadBlock& m : coupling.head_blocks) {
     Mat3& block = m.row > coupling.head ? a.factor.lower[m.block] : a.factor.upper[m.block];
-    block += condition(a, a.rows[m.row]).from_head * system.scale;
+    block += condition(a, a.rows[m.row]).from_head * system.times_C;
   }
 }
 
@@ -189,11 +189,6 @@ Mat3x4 moments(Articulate& a, const NodeBatch& n) {
 }
 
 }  // namespace
-
-Mat3 inverse_inertia(const Node& n, const Mat3& R) {
-  const Vec3 i = n.inverse_inertia;
-  return times_transposed(Mat3{{R[0] * i[0], R[1] * i[1], R[2] * i[2]}}, R);
-}
 
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;

@@ -8,22 +8,10 @@ namespace pantin {
 
 namespace {
 
-/// About a position; of spin that nothing couples to nothing [kg m²].
-Mat3 inertia_of_all(const Articulate& a, Vec3 X) {
-  Mat3 inertia = zero33();
-  for (const Node& n : a.nodes) {
-    const Vec3 d = n.x0 - X;
-    inertia += (identity33() * norm2(d) - outer(d, d)) * n.mass;
-    if (!n.turns) continue;
-    const Vec3 i = n.inertia * n.felt_axes;
-    inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
-  }
-  return inertia;
-}
-
 /// The spin that makes up for angular momentum, about each principal axis that takes no more than `most` [J] to turn it.
 Vec3 spin_for(const Articulate& a, Vec3 X, Vec3 angular, double most) {
-  const Mat3 inertia = inertia_of_all(a, X);
+  Mat3 inertia = zero33();
+  for (const Node& n : a.nodes) add_locked_inertia(inertia, n, X);
   const auto about = [&](Vec3 axis, double moment) {
     const double along = dot(axis, angular);
     return along * along <= 2.0 * most * moment && moment > 0.0 ? axis * (along / moment) : zero3();

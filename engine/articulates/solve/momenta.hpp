@@ -14,8 +14,14 @@ struct Momenta {
 /// Whether no row ties it to the world.
 bool is_free(const Articulate& articulate);
 /// Whether it is free and has rows whose two points are apart, so that their forces act at a distance, in each step.
-inline bool acts_at_distance(const Articulate& a) { return a.attracts || (a.offsets && is_free(a)); }
+inline bool acts_at_distance(const Articulate& a) { return a.attracts || (a.has_offsets && is_free(a)); }
 Vec3 centre_of_mass(const Articulate& articulate);
+/// Adds the inertia of a node's start about a position [kg m²]; of spin that nothing couples to nothing.
+inline void add_locked_inertia(Mat3& sum, const Node& n, Vec3 X) {
+  const Vec3 d = n.x0 - X;
+  sum += (identity33() * norm2(d) - outer(d, d)) * n.mass;
+  if (n.turns) sum += congruent(n.R0, n.inertia * n.felt_axes);
+}
 Momenta momenta_of(const Articulate& articulate);
 /// What the rows' forces of a step of h [s], acting at a distance, did to the angular momentum [kg m²/s].
 Vec3 turned_at_distance(const Articulate& articulate, double h);

@@ -64,7 +64,7 @@ class Evaluation {
     Row& row = a_.rows[k];
     place_row_at_end(a_, k);
     if (!is_rigid(row)) return raise(worst_, residual(a_, row, h_));
-    row.residual = a_.offsets ? row.d1 - row.offset : row.d1;
+    row.residual = a_.has_offsets ? row.d1 - row.offset : row.d1;
     raise(worst2_, norm2(row.residual));
   }
   /// Once all are; returns the largest residual [m].
@@ -253,7 +253,8 @@ struct Setbacks {
 
 /// Takes the right side through the forward substitution of the factor at hand, or of a new one where that does not serve.
 void start_direction(Articulate& a, double h, double e, double tolerance, FactorUse& factor, DriftReport& report) {
-  const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
+  const System system{
+      .right = Arms::mean, .epsilon = a.epsilon, .times_C = 2.0 / (h * h), .times_residual = -2.0 / (h * h), .h = h};
   if (factor.serves(e, tolerance)) {
     factor.uses++;
     return reuse_factor(a, system);
@@ -317,7 +318,7 @@ Vec3 start_velocity(const Node& n, Vec3 l) {
 }  // namespace
 
 void find_solved_gaps(Articulate& a) {
-  if (!a.all_rigid || a.angular || a.offsets) return measure_gaps(a);
+  if (!a.all_rigid || a.angular || a.has_offsets) return measure_gaps(a);
   a.gaps = {a.residual, 0.0, a.residual};
 }
 

@@ -48,10 +48,7 @@ void set_velocity_constraints(Articulate& a) {
   for (Row& row : a.rows) {
     if (is_rigid(row)) continue;
     Condition& c = condition(a, row);
-    const bool held = c.held;
-    c.held = held && !c.gives_way;
-    row.rule->project(row, c);
-    c.held = held;
+    row.rule->project(row, c, c.held && !c.gives_way);
   }
   project_couplings(a);
   for (Condition& c : a.conditions) c.worked_at = c.wanted;
@@ -69,8 +66,8 @@ enum class From : std::uint8_t { batches, nodes };
 /// Sets the rows' residuals to their forbidden velocities, and takes these through the first half of a solution on the
 /// factor at hand if asked for by `reuse`.
 Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
-  Velocities v;
-  Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
+  Lanes kinetic = lanes(0.0), fastest2_of_nodes = lanes(0.0);
+  double forbidden2 = 0.0;
   Tile done;
   clear_hubs(a);
   for (const Tile& tile : a.tiles) {
@@ -79,7 +76,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
       const NodeBatch& n = a.batches[done.batches];
       const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.inverse_inertia_world * n.L;
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
-      fastest2 = larger(norm2(velocity), fastest2);
+      fastest2_of_nodes = larger(norm2(velocity), fastest2_of_nodes);
       for (const RowEnds& end : ends_of(a, n))
         scatter_to_rows(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
     }
@@ -87,18 +84,15 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
       if (is_coupled(row)) row.residual = forbidden_of_coupling(a, done.rows);
-      v.forbidden = std::max(v.forbidden, norm2(row.residual));
+      forbidden2 = std::max(forbidden2, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
     for (; reuse && done.columns < tile.columns; done.columns++)
       a.factor.substitute_forward(done.columns, a.right_side.data());
   }
-  v.kinetic = sum(kinetic);
-  v.fastest = largest_lane(fastest2);
-  for (const Condition& c : a.conditions) v.fastest = std::max(v.fastest, norm2(c.velocity));
-  v.fastest = std::sqrt(v.fastest);
-  v.forbidden = std::sqrt(v.forbidden);
-  return v;
+  double fastest2 = largest_lane(fastest2_of_nodes);
+  for (const Condition& c : a.conditions) fastest2 = std::max(fastest2, norm2(c.velocity));
+  return {sum(kinetic), std::sqrt(fastest2), std::sqrt(forbidden2)};
 }
 
 /// What is driven was moved by the drift as fast as its residual says, and is as it is to be after: no tie that does not give
@@ -187,7 +181,7 @@ void factorise_projection(Articulate& a, double epsilon) {
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (Condition& c : a.conditions)
     if (c.settles) c.C += c.kept * (1.0 / (c.settling * scale));
-  factorise(a, {Arms::end, epsilon, scale, -1.0});
+  factorise(a, {.right = Arms::end, .epsilon = epsilon, .times_C = scale, .times_residual = -1.0});
 }
 
 /// Whether the rows of Newton's matrix forbid the velocities that projections do.
@@ -275,7 +269,7 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
     std::fill(a.symmetric_impulses.begin(), a.symmetric_impulses.end(), zero3());
     return false;
   }
-  const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  const double sign = symmetric_sign(a);
   report.tell(a.symmetric_work, sign);
   Lanes gained = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) {
@@ -287,7 +281,7 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
     gained += kinetic_energy(n) - before;
   }
   a.symmetric_energy = sum(gained);
-  report.projected += a.symmetric_energy - a.symmetric_work.all() * sign;
+  report.energy_projected += a.symmetric_energy - a.symmetric_work.all() * sign;
   return true;
 }
 
@@ -328,14 +322,15 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (jumps && std::exchange(reuse, false)) find_velocities(a, From::nodes);
   const double outside = report.outside();
   if (!reuse || !project_with_newton_factor(a, before, report)) {
-    report.projections++;
+    report.exact_projections++;
     drop_factor(a, FactorOf::newton);
     if (a.factor_of == FactorOf::projection)
       find_velocities(a, From::nodes, true);
     else
       factorise_projection(a, a.least_epsilon);
-    const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
-    if (worked || strikes) {
+    const ImpulseWork done = apply_projection(a);
+    const bool strikes = struck(a);
+    if (done.all() != 0.0 || strikes) {
       const Velocities after = find_velocities(a, From::batches);
       const ImpulseWork work = work_of_impulses(a, before, after);
       report.tell(work);

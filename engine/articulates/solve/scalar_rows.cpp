@@ -40,9 +40,8 @@ ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
 
 /// Of a limit or an end of a path, as it would hold.
 ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
-  c.held = true;
   c.wanted = c.velocity;
-  row.rule->project(row, c);
+  row.rule->project(row, c, true);
   ScalarRow s;
   s.terms.push_back({c.row, stop.inward});
   s.wanted = dot(c.wanted, stop.inward);
@@ -52,9 +51,8 @@ ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
 }
 
 ScalarRow row_of_motor(const Row& row, Condition c) {
-  c.held = true;
   c.wanted = zero3();
-  row.rule->project(row, c);
+  row.rule->project(row, c, true);
   ScalarRow s;
   s.terms.push_back({c.row, axis_of(c.kept)});
   s.wanted = dot(c.wanted, s.terms.front().along);

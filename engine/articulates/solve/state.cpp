@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "articulates/solve/conditions.hpp"
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "constraints/load.hpp"

@@ -40,7 +40,7 @@ bool only_gravity_acts(const Articulate& a, Vec3 gravity) {
     return same(c.whole0, c.whole1) && c.bent == Bent::nothing && norm2(c.velocity) == 0.0;
   };
   const auto falls = [&](const Node& n) { return same(n.force, gravity * n.mass) && norm2(n.torque) == 0.0; };
-  return !is_open(a) && !a.torn && !a.offsets && !a.fell_back &&
+  return !is_open(a) && !a.torn && !a.has_offsets && !a.fell_back &&
          std::all_of(a.conditions.begin(), a.conditions.end(), stays) &&
          std::all_of(a.nodes.begin(), a.nodes.end(), falls);
 }
@@ -91,7 +91,7 @@ void project_onto_tree(Articulate& a, const DriftSettings& settings, DriftReport
   if (f.velocity <= 1e-13 * f.fastest) return;
   const double before = kinetic_energy(a);
   make_start_consistent(a, settings.step, settings.from);
-  report.projected += kinetic_energy(a) - before;
+  report.energy_projected += kinetic_energy(a) - before;
   if (settings.energy_return) report.returned += return_energy(a, before, settings.gravity);
 }
 
