@@ -258,7 +258,7 @@ void cancel(World& world, EventId event) {
   tidy(world.choreography);
 }
 
-void fire_events(World& world, double time) {
+void fire_due(World& world, double time) {
   Choreography& c = world.choreography;
   queue_watched(c, time);
   const double reached = with_round_off(time);

@@ -89,7 +89,7 @@ void find_near(const ThingsNow& p, ContactFinder& finder) {
 
 }  // namespace
 
-void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
+void find_all_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   find_near(p, finder);
   locate_points(p, finder);
   find_going(p.model, finder, contacts);

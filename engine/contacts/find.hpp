@@ -106,7 +106,7 @@ void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& ke
 /// Makes the finder anew as it was then; none where they were not known.
 void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then);
 /// Finds all contacts anew; those that were there before keep their impulses.
-void find_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);
+void find_all_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);
 /// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes; what
 /// points of two bodies had that are gone is shared out among those that the two have now.
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now);

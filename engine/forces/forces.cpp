@@ -232,7 +232,7 @@ void settle(World& world) {
 
 }  // namespace
 
-void refresh_forces(World& world) {
+void refresh_laws(World& world) {
   if (world.force_elements_changed) {
     make_forces(world);
   } else if (world.forces && world.forces->unsettled) {
@@ -252,7 +252,7 @@ void begin_kick(World& world) {
   post(world, Source::law, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy));
 }
 
-void find_pairs(World& world) {
+void renew_pairs(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   read_positions(world, f, true);
@@ -267,7 +267,7 @@ void find_forces_again(World& world) {
   f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
 }
 
-void apply_forces(World& world) {
+void find_forces_after_drift(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   if (f.velocity_dependent) read_velocities(world, f, true);

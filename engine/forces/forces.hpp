@@ -142,13 +142,13 @@ bool acting_now(const World& world);
 /// Makes the laws act on what the model now holds, and finds the forces of the present state, where an edit has changed
 /// either. Throws Error where a law reads what a particle has not. Where connections were found too stiff for explicit
 /// steps, `force_elements_changed` is set again: articulates are to be found anew first.
-void refresh_forces(World& world);
+void refresh_laws(World& world);
 /// Warns of laws that go by mass and act on points of bodies that have none, once for each field and interaction.
 void tell_massless(World& world);
 /// Reads where particles now are, and finds the pairs anew once something has moved too far.
-void find_pairs(World& world);
+void renew_pairs(World& world);
 /// Forces of the present state, after a drift.
-void apply_forces(World& world);
+void find_forces_after_drift(World& world);
 /// Before the kicks of a stage of the step: posts half the work of what only follows ages.
 void begin_kick(World& world);
 /// Changes velocities and momenta by the forces over `half` [s], those of laws of velocity as velocity_kick.hpp says. Work

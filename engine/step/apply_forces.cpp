@@ -26,11 +26,11 @@ void refresh_forces(World& world) {
     if (world.unchecked) require_integrator_fits(world);
     world.unchecked = false;
     bool anew = world.force_elements_changed || !acting_now(world);
-    pantin::refresh_forces(world);
+    refresh_laws(world);
     while (world.force_elements_changed) {  // connections were found too stiff
       anew = true;
       find_articulates(world);
-      pantin::refresh_forces(world);
+      refresh_laws(world);
     }
     if (!anew) return;
     wake_pulled(world);
@@ -44,13 +44,13 @@ void refresh_forces(World& world) {
 void find_pairs(World& world) {
   if (!world.forces) return;
   const Timed timed(world.profile, Phase::find_pairs);
-  run_or_fail(world, pantin::find_pairs);
+  run_or_fail(world, renew_pairs);
 }
 
 void apply_forces(World& world) {
   if (!world.forces) return;
   const Timed timed(world.profile, Phase::apply_forces);
-  run_or_fail(world, pantin::apply_forces);
+  run_or_fail(world, find_forces_after_drift);
 }
 
 }  // namespace pantin::phases

@@ -241,7 +241,7 @@ bool ends_in_drift(const World& world) {
 
 void project(Articulate& articulate, const DriftSettings& settings) {
   articulate.projection_report = {};
-  if (!articulate.by_tree) pantin::project_velocities(articulate, settings, articulate.projection_report);
+  if (!articulate.by_tree) project_articulate(articulate, settings, articulate.projection_report);
 }
 
 /// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
@@ -305,7 +305,7 @@ void drift_by_midpoint(World& world) {
         drift_as_tree(articulate, settings, tree, *world.tree_workspaces[worker], articulate.report))
       return;
     articulate.by_tree = false;
-    if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
+    if (wanted.accuracy == 0.0) return drift_midpoint(articulate, settings, articulate.report);
     drift_accurately(articulate, settings, wanted, *world.trials[worker]);
   };
   drift_articulates(world, [&](Articulate& articulate, int worker) {

@@ -55,7 +55,7 @@ std::string first_bad(const World& world, const OfLoosePoints& points) {
   for (const auto& articulate : world.articulates) {
     if (articulate->totals.finite) continue;
     for (const Node& n : articulate->nodes)
-      if (!sound(n.x0, n.q0, pantin::kinetic_energy(n)))
+      if (!sound(n.x0, n.q0, kinetic_energy(n)))
         return n.is_body ? describe(world, world.bodies.id_at(n.slot))
                          : describe(world, world.points.at_slot(n.slot).particle);
   }

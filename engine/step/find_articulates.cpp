@@ -78,8 +78,7 @@ void find_changed(World& world) {
   if (topology_changed && ties_changed(world)) internal::disturb_sites(world);
   internal::note_edited_sites(world);
   if (world.force_elements_changed) choose_solved(world);
-  const InertiaChanges changes =
-      pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
+  const InertiaChanges changes = find_tied_things(world, world.articulates, world.loose_bodies, world.loose_points);
   post(world, Source::edit, changes.energy);
   tell_lifted(world, changes.lifted);
   if (world.articulates.size() != count) internal::disturb_sites(world);

@@ -9,7 +9,7 @@ void fire_events(World& world) {
   world.choreography.reached = world.time;
   if (world.choreography.heap.empty() && world.choreography.watching.empty()) return;
   const Timed timed(world.profile, Phase::fire_events);
-  pantin::fire_events(world, world.time);
+  fire_due(world, world.time);
 }
 
 void run_behaviours(World& world) {

@@ -155,7 +155,7 @@ void put_passed_back(World& world) {
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
   try {
-    find_contacts(things_now(world, drifted), *world.contact_finder, *world.workers, world.contacts);
+    find_all_contacts(things_now(world, drifted), *world.contact_finder, *world.workers, world.contacts);
   } catch (const Error& error) {
     world.trouble = error.what();
     world.contacts.stale = true;

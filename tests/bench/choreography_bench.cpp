@@ -23,7 +23,7 @@ namespace {
 
 constexpr int waiting = 100'000, calls = 1000, windows = 10;
 
-/// [s] of one call of fire_events with so many events waiting for later.
+/// [s] of one call of fire_due with so many events waiting for later.
 double waiting_cost(int events) {
   World world;
   for (int i = 0; i < events; i++) {
@@ -35,7 +35,7 @@ double waiting_cost(int events) {
   double best = std::numeric_limits<double>::infinity();
   for (int w = 0; w < windows; w++) {
     const double start = now();
-    for (int k = 0; k < calls; k++) fire_events(world, 1e-6 * k);
+    for (int k = 0; k < calls; k++) fire_due(world, 1e-6 * k);
     best = std::min(best, (now() - start) / calls);
   }
   return best;
@@ -51,7 +51,7 @@ double firing_cost(int events) {
     add_event(world, std::move(event));
   }
   const double start = now();
-  fire_events(world, 1e-3 * (events + 1));
+  fire_due(world, 1e-3 * (events + 1));
   return (now() - start) / events;
 }
 

@@ -36,12 +36,12 @@ TEST_CASE("events fire in the order of time, then of adding, once") {
   s.add(1, "first");
   s.add(1, "second");
   s.add(0, "now");
-  fire_events(s.world, 0.5);
+  fire_due(s.world, 0.5);
   CHECK(s.done == std::vector<std::string>{"now"});
-  fire_events(s.world, 1.0);
-  fire_events(s.world, 1.5);
+  fire_due(s.world, 1.0);
+  fire_due(s.world, 1.5);
   CHECK(s.done == std::vector<std::string>{"now", "first", "second"});
-  fire_events(s.world, 10);
+  fire_due(s.world, 10);
   CHECK(s.done.back() == "late");
   CHECK(s.world.choreography.events.empty());
 }
@@ -49,12 +49,12 @@ TEST_CASE("events fire in the order of time, then of adding, once") {
 TEST_CASE("a repeating event fires at whole multiples of its period, missed ones too") {
   Scene s;
   const EventId id = s.add(0.1, "tick", 0.1);
-  fire_events(s.world, 0.05);
+  fire_due(s.world, 0.05);
   CHECK(s.done.empty());
-  fire_events(s.world, 0.35);
+  fire_due(s.world, 0.35);
   CHECK(s.done.size() == 3);
   CHECK(s.state(id) == EventState::waiting);
-  for (int step = 1; step <= 24000; step++) fire_events(s.world, step / 240.0);
+  for (int step = 1; step <= 24000; step++) fire_due(s.world, step / 240.0);
   CHECK(s.done.size() == 1000);
   CHECK(s.world.choreography.heap.size() == 1);
 }
@@ -63,7 +63,7 @@ TEST_CASE("a time reached up to round-off counts as reached") {
   Scene s;
   const double sum = 0.1 + 0.2;  // a little more than 0.3
   s.add(sum, "now");
-  fire_events(s.world, 0.3);
+  fire_due(s.world, 0.3);
   CHECK(s.done.size() == 1);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("events at whole steps fire in just these, over hours of any step") {
     play.goes = [&]() -> std::optional<Wait> { return waits++, Wait{c.period, {}}; };
     add_event(s.world, play);
     for (std::uint64_t k = 0; k < 2'000'000; k++) {
-      fire_events(s.world, static_cast<double>(k) * c.step);
+      fire_due(s.world, static_cast<double>(k) * c.step);
       wrong += ticks != k / c.steps || waits != k / c.steps + 1;
     }
     CHECK(wrong == 0);
@@ -101,7 +101,7 @@ TEST_CASE("an event added while firing fires in the same call if it is due") {
   };
   add_event(s.world, parent);
   s.add(1, "sibling");
-  fire_events(s.world, 1);
+  fire_due(s.world, 1);
   CHECK(s.done == std::vector<std::string>{"parent", "sibling", "child"});
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("an event that sets itself again without a delay is an error, not a ha
     add_event(s.world, e);
   };
   again();
-  CHECK_THROWS_WITH(fire_events(s.world, 0), Contains("scene.lua:2: 1000000 events in one step"));
+  CHECK_THROWS_WITH(fire_due(s.world, 0), Contains("scene.lua:2: 1000000 events in one step"));
 }
 
 TEST_CASE("an event whose target is gone is dropped and logged with who removed it") {
@@ -133,7 +133,7 @@ TEST_CASE("an event whose target is gone is dropped and logged with who removed 
   s.world.who = [] { return std::string("hand 1"); };
   remove(s.world, ball);
   remove(s.world, other);
-  fire_events(s.world, 5);
+  fire_due(s.world, 5);
   CHECK(s.done.empty());
   CHECK(*state == EventState::dropped);
   REQUIRE(s.world.log.size() == 2);
@@ -153,9 +153,9 @@ TEST_CASE("a cancelled event does not fire, and its state can still be read") {
   cancel(s.world, once);
   cancel(s.world, once);
   CHECK(*state == EventState::cancelled);
-  fire_events(s.world, 2);
+  fire_due(s.world, 2);
   cancel(s.world, ticks);
-  fire_events(s.world, 9);
+  fire_due(s.world, 9);
   CHECK(s.done == std::vector<std::string>{"tick", "tick"});
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a repeating event may cancel itself") {
     cancel(s.world, id);
   };
   id = add_event(s.world, e);
-  fire_events(s.world, 5);
+  fire_due(s.world, 5);
   CHECK(s.done.size() == 1);
   CHECK(s.world.choreography.events.empty());
 }
@@ -179,8 +179,8 @@ TEST_CASE("an action that throws does not spoil the queue") {
   bad.action = [] { throw Error("oh"); };
   const EventId id = add_event(s.world, bad);
   s.add(1, "good");
-  CHECK_THROWS_WITH(fire_events(s.world, 1), "oh");
-  fire_events(s.world, 1);
+  CHECK_THROWS_WITH(fire_due(s.world, 1), "oh");
+  fire_due(s.world, 1);
   CHECK(s.done == std::vector<std::string>{"good"});
   CHECK(s.world.choreography.events[id].fired == 1);
 }
@@ -203,7 +203,7 @@ TEST_CASE("bad times and empty actions are errors") {
   CHECK_THROWS_WITH(add_event(s.world, nothing), Contains("no action"));
   CHECK(s.world.choreography.heap.empty());
   s.add(2, "now");
-  fire_events(s.world, 2);
+  fire_due(s.world, 2);
   CHECK(s.done.size() == 1);
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("a repeating event fires a million times, each at an exact multiple of
   for (std::uint64_t k = 1; k <= 1'000'000; k++) {
     const double due = static_cast<double>(k) * 0.001;
     wrong += world.choreography.heap.front().time != due;
-    fire_events(world, due);
+    fire_due(world, due);
     wrong += count != k;
   }
   CHECK(wrong == 0);
@@ -235,14 +235,14 @@ TEST_CASE("an over is told in each step how much of it has passed, and at last 1
   e.progress = [&](double u) { parts.push_back(u); };
   const EventId id = add_event(s.world, e);
   const auto state = s.world.choreography.events[id].state;
-  for (int step = 1; step <= 12; step++) fire_events(s.world, 0.25 * step);
+  for (int step = 1; step <= 12; step++) fire_due(s.world, 0.25 * step);
   CHECK(parts == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
   CHECK(*state == EventState::fired);
   parts.clear();
   e.time = 4.1;
   e.until = 4.15;  // within one step
   add_event(s.world, e);
-  fire_events(s.world, 5);
+  fire_due(s.world, 5);
   CHECK(parts == std::vector<double>{1.0});
 }
 
@@ -257,10 +257,10 @@ TEST_CASE("an over whose target goes on the way is dropped there") {
   e.label = "scene.lua:7";
   e.progress = [&](double) { told++; };
   add_event(s.world, e);
-  fire_events(s.world, 1);
-  fire_events(s.world, 2);
+  fire_due(s.world, 1);
+  fire_due(s.world, 2);
   remove(s.world, ball);
-  fire_events(s.world, 3);
+  fire_due(s.world, 3);
   CHECK(told == 2);
   REQUIRE(s.world.log.size() == 1);
   CHECK_THAT(s.world.log[0].text, Contains("event scene.lua:7, due at 0 s") && Contains("was removed at"));
@@ -285,14 +285,14 @@ TEST_CASE("a play goes on at exact times, when something holds, and in the next 
   const EventId id = add_event(s.world, e);
   const auto state = s.world.choreography.events[id].state;
   s.add(0.15, "between");
-  fire_events(s.world, 1);
+  fire_due(s.world, 1);
   CHECK(s.done == std::vector<std::string>{"0", "1", "between", "2"});
-  fire_events(s.world, 2);
+  fire_due(s.world, 2);
   CHECK(s.done.size() == 4);
   ready = true;
-  fire_events(s.world, 3);
+  fire_due(s.world, 3);
   CHECK(s.done.back() == "3");
-  fire_events(s.world, 4);
+  fire_due(s.world, 4);
   CHECK(s.done.back() == "4");
   CHECK(*state == EventState::fired);
   CHECK(s.world.choreography.heap.empty());
@@ -306,9 +306,9 @@ TEST_CASE("a play that fails is over, and the rest goes on") {
   const EventId id = add_event(s.world, e);
   const auto state = s.world.choreography.events[id].state;
   s.add(1, "good");
-  CHECK_THROWS_WITH(fire_events(s.world, 1), "oh");
+  CHECK_THROWS_WITH(fire_due(s.world, 1), "oh");
   CHECK(*state == EventState::dropped);
-  fire_events(s.world, 1);
+  fire_due(s.world, 1);
   CHECK(s.done == std::vector<std::string>{"good"});
 }
 
@@ -331,7 +331,7 @@ TEST_CASE("of two events that contradict each other the earlier added is carried
       e.target = ball;
       add_event(s.world, e);
     }
-    fire_events(s.world, 1);
+    fire_due(s.world, 1);
     CHECK_FALSE(s.world.particles.alive(ball));
     CHECK(s.done.size() == (remove_first ? 0 : 1));
     CHECK(s.world.log.size() == (remove_first ? 1 : 0));
@@ -343,7 +343,7 @@ TEST_CASE("the timeline tells what was, is and will be, and does not grow") {
   for (int i = 0; i < 3000; i++) s.add(1.0, "past");
   s.add(7.0, "far");
   s.add(5.0, "near", 2.0);
-  fire_events(s.world, 1.0);
+  fire_due(s.world, 1.0);
   s.world.time = 1.0;
   const std::vector<TimelineEntry> list = timeline(s.world);
   REQUIRE(list.size() == most_told + 2);

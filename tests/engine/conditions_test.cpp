@@ -26,7 +26,7 @@ TEST_CASE("a condition fires once, or at each rise, and only after it fell back 
   double time = 0.0;
   for (const double v : {0.0, 2.0, 2.0, 0.8, 2.0, 0.4, 2.0, std::nan(""), 2.0}) {
     value = v;
-    fire_events(world, time += 1.0);
+    fire_due(world, time += 1.0);
   }
   CHECK(once == 1);
   CHECK(rises == 4);
@@ -47,7 +47,7 @@ TEST_CASE("a condition on a mean waits until there is one, and is not fooled by 
   for (int step = 0; step < 60; step++) {
     world.time = 0.1 * step;
     value = step == 15 ? 5.0 : step >= 30 ? 2.0 : 0.0;  // 0.5 in the mean; from 3 s on a ramp of the mean up to 2
-    fire_events(world, 0.1 * (step + 1));
+    fire_due(world, 0.1 * (step + 1));
   }
   REQUIRE(fired.size() == 1);
   CHECK(fired[0] == Approx(3.5));  // the trapezoids from 2.5 s on: 0.05 · 2 + 0.5 · 2 > 1

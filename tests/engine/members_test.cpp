@@ -86,7 +86,7 @@ void check_against_anew(World& world) {
   const FieldId field = world.fields.ids().front();
   set_enabled(world, field, false);
   set_enabled(world, field, true);
-  refresh_forces(world);
+  refresh_laws(world);
   CHECK(law_energy(world) == Approx(energy).epsilon(1e-13));
   const auto anew = forces_by_serial(world);
   REQUIRE(forces.size() == anew.size());
@@ -118,7 +118,7 @@ TEST_CASE("members: in a stream through a field forces and energy are those of a
       def.family = drops;
       add_particle(world, def);
     }
-    refresh_forces(world);
+    refresh_laws(world);
     check_against_anew(world);
   }
   CHECK(world.forces->sites.n > 150);
@@ -144,7 +144,7 @@ TEST_CASE("members: connections go on holding particles whose sites are put else
   for (std::size_t k = 0; k < 12; k += 2) {
     remove(world, here[k]);
     remove(world, here[k + 1]);
-    refresh_forces(world);
+    refresh_laws(world);
     check_against_anew(world);
     step(world);
   }

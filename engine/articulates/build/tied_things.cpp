@@ -196,7 +196,7 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
 
 }  // namespace
 
-InertiaChanges find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+InertiaChanges find_tied_things(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
                                 std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
   InertiaChanges changes;
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);

@@ -23,7 +23,7 @@ struct InertiaChanges {
 /// Finds anew what the edits since the last call concerned: articulates in which an edited thing is no longer tied as it
 /// was are taken apart, and their things, with the untied things that were edited, are gathered into articulates or
 /// found loose. Articulates stay in the order of their smallest serial.
-InertiaChanges find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+InertiaChanges find_tied_things(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
                                 std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
 
 }  // namespace pantin

@@ -214,7 +214,7 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
 
 }  // namespace
 
-void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+void drift_midpoint(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   drop_factor(a, FactorOf::projection);
   begin_effort(a);
   if (a.edited) {

@@ -16,7 +16,7 @@ EnergyOfConsistency make_start_consistent(Articulate& articulate, double step, d
 /// Moves a loaded articulate over the settings' stage of the step, by as many sub-steps as it has: each by Newton's iteration;
 /// where that fails, by two halves, five levels deep; where these fail, or it begins with a gap, by the fallback step.
 /// Velocities are not yet projected.
-void drift(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
+void drift_midpoint(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Semi-implicit Euler, 1st order: velocity first, then position, with the row forces found by Newton's iteration
 /// with line backtracking on the positions at the end. No projection.

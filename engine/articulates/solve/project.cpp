@@ -301,7 +301,7 @@ void find_overdriven(Articulate& a, double h) {
 
 }  // namespace
 
-void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+void project_articulate(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.symmetric_h = 0.0;
   const bool at_distance = acts_at_distance(a);
   Momenta momenta = at_distance ? momenta_of(a) : Momenta{};

@@ -6,7 +6,7 @@ namespace pantin {
 /// Takes out of the momenta what the rows forbid, S1 Λ = -(G1 v1 - wanted), p += G1'Λ, once at the end of a full
 /// sub-step; without it a velocity that changes its sign each step hides and grows. With `energy_return` the kinetic energy that this took is
 /// given back.
-void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
+void project_articulate(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Before a full sub-step of `full` [s]: takes out of the momenta a running mean of what projections gave, p -= G0'Λ̂ with
 /// Λ̂ = ½ (Λ̂ + Λ) after each: with the projection at the end, two equal halves. A solved step turns the sign of a velocity that the rows forbid, so with this it and its

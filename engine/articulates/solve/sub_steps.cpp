@@ -147,7 +147,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   const auto move = [&](Articulate& x, std::uint32_t count) {
     x.sub_steps.count = static_cast<std::uint16_t>(count);
     begin_report(x);
-    drift(x, settings, x.report);
+    drift_midpoint(x, settings, x.report);
   };
   const double h = settings.step * (settings.to - settings.from);
   if (a.edited) {
