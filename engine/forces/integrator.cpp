@@ -79,8 +79,8 @@ std::string what_is_tied_or_noisy(const World& world) {
 }
 
 constexpr std::array<IntegratorRule, integrators.size()> rules = {{
-    {.integrator = Integrator::verlet, .stages = whole, .divides = true},
-    {.integrator = Integrator::implicit, .stages = whole, .divides = true},
+    {.integrator = Integrator::verlet, .stages = whole, .divides = true, .touches = true},
+    {.integrator = Integrator::implicit, .stages = whole, .divides = true, .touches = true},
     {.integrator = Integrator::suzuki4, .stages = five, .backwards = true, .refuses = what_dissipates},
     {.integrator = Integrator::rk4,
      .stages = four,
@@ -89,7 +89,7 @@ constexpr std::array<IntegratorRule, integrators.size()> rules = {{
      .conserves = false,
      .refuses = what_is_tied_or_noisy},
     {.integrator = Integrator::euler, .stages = whole, .conserves = false},
-    {.integrator = Integrator::adaptive, .stages = whole, .divides = true},
+    {.integrator = Integrator::adaptive, .stages = whole, .divides = true, .touches = true},
 }};
 
 }  // namespace
@@ -105,7 +105,7 @@ void require_integrator_fits(const World& world) {
   const IntegratorRule& rule = rule_of(world);
   const std::string why = rule.refuses ? rule.refuses(world) : "";
   require(why.empty(), "scene: the integrator \"", name_of(rule.integrator), "\" ", why);
-  require((world.shapes.empty() && !world.solids) || rule.divides, "scene: the integrator \"", name_of(rule.integrator),
+  require((world.shapes.empty() && !world.solids) || rule.touches, "scene: the integrator \"", name_of(rule.integrator),
           "\" moves nothing that touches; \"verlet\" does");
   require(!world.settings.accuracy || rule.divides,
           "scene: accuracy chooses the sub-steps of \"verlet\"; the integrator \"", name_of(rule.integrator),

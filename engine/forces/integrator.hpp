@@ -19,6 +19,7 @@ struct IntegratorRule {
   bool kicks = true;       ///< each stage is a drift between two half kicks
   bool backwards = false;  ///< has stages of negative length
   bool divides = false;    ///< `accuracy` may divide its steps
+  bool touches = false;    ///< moves what touches
   bool ties = true;        ///< moves what constraints and solved connections tie
   bool conserves = true;   ///< its drifts change no energy but by what is told of them
   /// Why it cannot move this world, empty where it can; null: it can move every world.

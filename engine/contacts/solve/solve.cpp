@@ -89,7 +89,8 @@ struct Search {
   }
 };
 
-/// How near impulses and their velocities are: ½ |v|²_M + bias·γ - wanted·μ, least in the solution among what the cone allows.
+/// How near impulses and their velocities are: Φ of sweeps.cpp without the compliance, ½ |v|²_M + bias·γ - wanted·μ; least in
+/// the solution among what the cone allows.
 double dual(const ContactIsland& island) {
   double sum = kinetic_energy(island);
   for (const IslandContact& c : island.contacts) sum += dot(c.bias, c.impulse);

@@ -1,8 +1,9 @@
 // Block coordinate descent on the dual of a stage's problem,
 //
-//   Φ(γ, μ) = ½ |y0 + J'γ + T'μ|² + bias·γ,   γ_n ≥ 0,  |γ_t| ≤ friction γ_n,  μ free,
+//   Φ(γ, μ) = ½ |y0 + J'γ + T'μ|² + bias·γ + ½ c γ_n² - wanted·μ,   γ_n ≥ 0,  |γ_t| ≤ friction γ_n,
 //
-// contact by contact, then all ties at once; y = M^½ v, so that one row reads a velocity and gives an impulse. From sweep to
+// c the compliance, wanted of scalars -bias, μ free but for what bounds scalars: contact by contact, then all ties at once;
+// y = M^½ v, so that one row reads a velocity and gives an impulse. From sweep to
 // sweep the whole change is carried on along conjugate directions (Silcowitz-Hansen, Niebe, Erleben 2010).
 #include <algorithm>
 #include <cmath>
