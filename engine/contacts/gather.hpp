@@ -9,8 +9,8 @@
 #include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/contact.hpp"
+#include "contacts/passes.hpp"
 #include "contacts/solve/island.hpp"
-#include "contacts/stages.hpp"
 
 namespace pantin {
 

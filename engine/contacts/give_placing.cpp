@@ -1,7 +1,7 @@
 // What `place` gives to things, and what ties answer.
 #include "contacts/heat.hpp"
 #include "contacts/motor_bounds.hpp"
-#include "contacts/stage_parts.hpp"
+#include "contacts/pass_parts.hpp"
 
 namespace pantin {
 

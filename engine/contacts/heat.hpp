@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contacts/contact.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 
 namespace pantin {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "contacts/pass_parts.hpp"
 #include "contacts/solve/ties.hpp"
-#include "contacts/stage_parts.hpp"
 
 namespace pantin {
 

@@ -4,9 +4,9 @@
 
 #include "contacts/gains.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/pass_parts.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/ties.hpp"
-#include "contacts/stage_parts.hpp"
 #include "contacts/take_back.hpp"
 #include "contacts/turn_back.hpp"
 

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "contacts/bodies.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 
 namespace pantin {
 

@@ -3,8 +3,8 @@
 
 #include "contacts/find.hpp"
 #include "contacts/motor_bounds.hpp"
+#include "contacts/pass_parts.hpp"
 #include "contacts/solve/ties.hpp"
-#include "contacts/stage_parts.hpp"
 #include "contacts/turning_apart.hpp"
 
 namespace pantin {

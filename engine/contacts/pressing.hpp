@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "contacts/passes.hpp"
 #include "contacts/solve/island.hpp"
-#include "contacts/stages.hpp"
 
 namespace pantin {
 

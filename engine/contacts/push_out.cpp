@@ -4,8 +4,8 @@
 
 #include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/momenta.hpp"
-#include "contacts/stage_parts.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/pass_parts.hpp"
+#include "contacts/passes.hpp"
 #include "contacts/turn_back.hpp"
 
 namespace pantin {

@@ -2,7 +2,7 @@
 // Contacts of what sleeps: in lists of their own, which no stage reads.
 #include "articulates/articulate.hpp"
 #include "contacts/contact.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 #include "model/model.hpp"
 
 namespace pantin {

@@ -8,7 +8,7 @@
 #include "contacts/bodies.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
-#include "contacts/stage_parts.hpp"
+#include "contacts/pass_parts.hpp"
 #include "contacts/turn_back.hpp"
 
 namespace pantin {

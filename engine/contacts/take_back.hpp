@@ -1,5 +1,5 @@
 #pragma once
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 
 namespace pantin {
 

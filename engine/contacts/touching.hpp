@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contacts/contact.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 #include "model/model.hpp"
 
 namespace pantin {

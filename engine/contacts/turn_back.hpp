@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contacts/bodies.hpp"
-#include "contacts/stages.hpp"
+#include "contacts/passes.hpp"
 
 namespace pantin {
 

@@ -1,4 +1,4 @@
-#include "contacts/stage_parts.hpp"
+#include "contacts/pass_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
