@@ -47,11 +47,11 @@ struct Contact {
   double rolling = 0.0, spinning = 0.0;  ///< [m] moment by normal force against rolling, against spinning on the spot
   Roundness round_a, round_b;
   Vec3 belt = zero3();  ///< [m/s] by which the surface of a moves on it, less that of b
-  /// [N s], and [N m s] of rolling and spinning, on a: of the stage before the drift, which keeps shapes from overlapping;
+  /// [N s], and [N m s] of rolling and spinning, on a: of the pass before the drift, which keeps shapes from overlapping;
   Vec3 place_impulse = zero3(), place_moment = zero3();
   /// of all the step, which the velocities after it have.
   Vec3 total = zero3(), total_moment = zero3();
-  std::int32_t place_index = -1;  ///< of what `place` gave it, among all of the stage, as long as it lasts; -1: nothing
+  std::int32_t place_index = -1;  ///< of what `place` gave it, among all of the pass, as long as it lasts; -1: nothing
   double approach = 0.0;          ///< [m/s] along the normal at the start of the step, below 0: nearing
   double rebound = 0.0;           ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
   bool foreseen = false;          ///< it is where a motion within the step will take a to b:
@@ -78,11 +78,18 @@ struct Placing {
   std::int32_t a, b;      ///< the bodies in their island; -1: the world
 };
 
+/// What touch does around each drift, with a search of its own.
+enum class Pass : std::uint8_t {
+  place,    ///< before the drift: impulses that keep shapes from overlapping in it
+  meet,     ///< after it: the impulses of the whole step
+  push_out  ///< between them: what overlaps is displaced
+};
+constexpr std::size_t number(Pass pass) { return static_cast<std::size_t>(pass); }
+
 /// What is known of a body that touches, from step to step.
 struct TouchedBody {
-  std::array<std::uint8_t, 3> failures{},
-      wait{};                ///< of `place`, `meet`, `push_out`: in a row of exact searches; solves until the next
-  Rest rest;                 ///< of one that nothing ties
+  std::array<std::uint8_t, 3> failures{}, wait{};  ///< (passes) in a row of exact searches; solves until the next
+  Rest rest;                                       ///< of one that nothing ties
   std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };
 
@@ -129,7 +136,7 @@ struct DeepestOverlap {
 
 struct Contacts {
   std::vector<Contact> list;        ///< by key
-  std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
+  std::vector<Contact> sensed;      ///< by key: those of sensors, which no pass knows
   std::vector<TouchedBody> bodies;  ///< (slots of bodies)
   std::vector<TouchedBody> points;  ///< (slots of points) of those that are solid; they sleep in no touch
   double work = 0.0;                ///< [J] done by `place`, with what ties answered: told with the rest of the step

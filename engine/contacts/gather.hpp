@@ -45,23 +45,23 @@ struct TouchIsland {
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
-  std::size_t first_placed = 0;                    ///< number of the first of that in the stage
+  std::size_t first_placed = 0;                    ///< number of the first of that in the pass
   bool solved = false;  ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now
   std::vector<BodyImpulse> given;  ///< what bodies got of that, and of ties, that is taken back as it was given
   std::vector<TouchScalar> held;   ///< what scalars within bounds gave in `place`
   ImpulseWork answered;            ///< what ties that move gave of that
-  std::vector<TouchHeat> heat;     ///< of the stage, where it is kept
+  std::vector<TouchHeat> heat;     ///< of the pass, where it is kept
   double placed_work = 0.0;        ///< [J] of the report of placing
-  TouchReport report;              ///< of the stage, of it alone
+  TouchReport report;              ///< of the pass, of it alone
 
   void clear();  ///< keeps memory
 };
 
-/// Islands of each stage, whose memory and layouts last from step to step.
+/// Islands of each pass, whose memory and layouts last from step to step.
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting;  ///< of `place`, `meet`
   std::vector<TouchIsland> opening, resting;  ///< of `push_out`, `held_at_rest`
-  std::size_t placed = 0;                     ///< how many islands of `placing` there are in this stage
+  std::size_t placed = 0;                     ///< how many islands of `placing` there are now
   std::vector<Vec3> turned;                   ///< (as index) [N m s] what taking back left of what was foreseen
   std::vector<double> placing_work;           ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1

@@ -36,7 +36,7 @@ class HeatOf {
 /// What friction and impact took of the two in the last step [J]; nothing where that is not kept.
 std::optional<double> heat_of(const Contacts& contacts, const TouchPair& pair);
 
-/// Adds what the impulses of a stage took to the heat of each pair, but for energy that they gave and should not have, `wrong`
+/// Adds what the impulses of a pass took to the heat of each pair, but for energy that they gave and should not have, `wrong`
 /// [J] in all.
 void settle_heat(const Model& model, Contacts& contacts, double wrong);
 

@@ -62,7 +62,8 @@ void close_scalars(TouchIsland& island, const Articulates& articulates) {
     IslandScalar& s = island.problem.scalars[k];
     s.bias = -scalar.row.wanted;
     const Articulate& a = *articulates[scalar.articulate];
-    const bool held = a.scalar_impulses[0].size() == a.rows.size() && a.scalar_impulses[0][scalar.row.row()] != 0.0;
+    const std::vector<double>& placed = a.scalar_impulses[number(Pass::place)];
+    const bool held = placed.size() == a.rows.size() && placed[scalar.row.row()] != 0.0;
     if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
   }
 }
@@ -139,8 +140,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
           done_before += space.placing_work[i];
       report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;
     }
-    solve_stage(contacts, island, 1, settings.search, report);
-    keep_tie_impulses(articulates, island, 1);
+    solve_pass(contacts, island, Pass::meet, settings.search, report);
+    keep_tie_impulses(articulates, island, Pass::meet);
     keep_rolls(problem, contacts, island.contacts, &Contact::total_moment);
     const double before = kinetic_energy_now(model, island);
     std::vector<Placing> given;  // where heat is kept

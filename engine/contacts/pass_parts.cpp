@@ -77,18 +77,15 @@ void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vect
   for (const IslandRoll& r : island.rolls) contacts.list[to[r.contact]].*moment = moment_of(island, r, r.impulse);
 }
 
-void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
+void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, Pass pass) {
   for (const std::uint32_t a : island.articulates)
-    articulates[a]->tie_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
+    articulates[a]->tie_impulses[number(pass)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
-    articulates[island.rows[k][0]]->tie_impulses[static_cast<std::size_t>(stage)][island.rows[k][1]] =
-        island.problem.ties[k].impulse;
+    articulates[island.rows[k][0]]->tie_impulses[number(pass)][island.rows[k][1]] = island.problem.ties[k].impulse;
   for (const std::uint32_t a : island.articulates)
-    if (!island.scalars.empty())
-      articulates[a]->scalar_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
+    if (!island.scalars.empty()) articulates[a]->scalar_impulses[number(pass)].assign(articulates[a]->rows.size(), 0.0);
   for (std::size_t k = 0; k < island.scalars.size(); k++)
-    articulates[island.scalars[k].articulate]
-        ->scalar_impulses[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
+    articulates[island.scalars[k].articulate]->scalar_impulses[number(pass)][island.scalars[k].row.row()] =
         island.problem.scalars[k].impulse;
 }
 
@@ -130,8 +127,7 @@ bool is_even(const ContactIsland& island) {
 
 }  // namespace
 
-bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search,
-                 TouchReport& report) {
+bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearch search, TouchReport& report) {
   constexpr std::uint8_t waits_after = 4, longest_wait = 7, dense = 255;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
@@ -142,8 +138,8 @@ bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, Con
         use(contacts.points[slot]);
   };
   all([&](const TouchedBody& body) {
-    failures = std::max(failures, body.failures[stage]);
-    wait = std::max(wait, body.wait[stage]);
+    failures = std::max(failures, body.failures[number(pass)]);
+    wait = std::max(wait, body.wait[number(pass)]);
   });
   const SearchEffort effort = wait == 0           ? SearchEffort::all
                               : failures == dense ? SearchEffort::sweeps
@@ -158,8 +154,8 @@ bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, Con
     wait = failures < waits_after ? 0 : longest_wait;
   }
   all([&](TouchedBody& body) {
-    body.failures[stage] = failures;
-    body.wait[stage] = wait;
+    body.failures[number(pass)] = failures;
+    body.wait[number(pass)] = wait;
   });
   return found.residual <= exact_enough * island.problem.tolerance && is_even(island.problem);
 }

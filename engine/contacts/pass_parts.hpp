@@ -1,5 +1,5 @@
 #pragma once
-// What the stages of touch have in common.
+// What the passes of touch have in common.
 #include <span>
 
 #include "contacts/gather.hpp"
@@ -24,17 +24,18 @@ inline void start_rolls(ContactIsland& island, const Contacts& contacts, const s
   }
 }
 
-/// Begins the search of ties with what they bore in this stage (0: `place`, 1: `meet`) of the last step.
-inline void start_ties(TouchIsland& island, const Articulates& articulates, std::size_t stage) {
+/// Begins the search of ties with what they bore in this pass, `place` or `meet`, of the last step.
+inline void start_ties(TouchIsland& island, const Articulates& articulates, Pass pass) {
   for (std::size_t k = 0; k < island.rows.size(); k++) {
     const Articulate& a = *articulates[island.rows[k][0]];
     IslandTie& t = island.problem.ties[k];
-    if (a.tie_impulses[stage].size() == a.rows.size()) t.start = t.kept * a.tie_impulses[stage][island.rows[k][1]];
+    const std::vector<Vec3>& last = a.tie_impulses[number(pass)];
+    if (last.size() == a.rows.size()) t.start = t.kept * last[island.rows[k][1]];
   }
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const Articulate& a = *articulates[island.scalars[k].articulate];
-    if (a.scalar_impulses[stage].size() == a.rows.size())
-      island.problem.scalars[k].start = a.scalar_impulses[stage][island.scalars[k].row.row()];
+    const std::vector<double>& last = a.scalar_impulses[number(pass)];
+    if (last.size() == a.rows.size()) island.problem.scalars[k].start = last[island.scalars[k].row.row()];
   }
 }
 
@@ -60,7 +61,7 @@ inline void start_meeting(TouchIsland& island, const Contacts& contacts, const A
     c.start = to_frame(c, from.total);
   }
   start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
-  start_ties(island, articulates, 1);
+  start_ties(island, articulates, Pass::meet);
 }
 
 /// Sets what scalars want in a drift of h [s], with what their forces may give in `time` [s] beside `drifted` of it, in which they
@@ -119,7 +120,7 @@ double slow_of(const TouchSettings& settings, const ContactIsland& island);
 void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,
                 Vec3 Contact::*moment);
 
-void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage);
+void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, Pass pass);
 
 /// Adds what ties bear by these impulses to what their rows tell; scalars within bounds where that is `bounded`.
 void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step, bool bounded);
@@ -128,6 +129,6 @@ void collect_heat(Contacts& contacts, std::span<TouchIsland> islands);
 
 /// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then. Whether it
 /// is solved as exactly as can be, among bodies of like masses.
-bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report);
+bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearch search, TouchReport& report);
 
 }  // namespace pantin

@@ -164,11 +164,11 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
     start_rolls(problem, contacts, island.contacts, &Contact::place_moment);
-    start_ties(island, articulates, 0);
+    start_ties(island, articulates, Pass::place);
     set_scalars(island, articulates, h, 0.5 * h);
     hold_turning_ties(island, h);
-    island.solved = solve_stage(contacts, island, 0, settings.search, report) && !whirls(model, island, h);
-    keep_tie_impulses(articulates, island, 0);
+    island.solved = solve_pass(contacts, island, Pass::place, settings.search, report) && !whirls(model, island, h);
+    keep_tie_impulses(articulates, island, Pass::place);
     keep_rolls(problem, contacts, island.contacts, &Contact::place_moment);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];

@@ -141,7 +141,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     }
     problem.tolerance *= 1e4;
     problem.enough *= 1e2;
-    solve_stage(contacts, island, 2, settings.search, report);
+    solve_pass(contacts, island, Pass::push_out, settings.search, report);
     limit_displacements(problem, farthest_pushed * largest);
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,

@@ -1,5 +1,5 @@
 #pragma once
-// Contacts of what sleeps: in lists of their own, which no stage reads.
+// Contacts of what sleeps: in lists of their own, which no pass reads.
 #include "articulates/articulate.hpp"
 #include "contacts/contact.hpp"
 #include "contacts/passes.hpp"

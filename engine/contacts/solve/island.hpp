@@ -1,5 +1,5 @@
 #pragma once
-// The problem that a stage of touch solves: velocities of bodies, given those without impulses of contacts and ties.
+// The problem that a pass of touch solves: velocities of bodies, given those without impulses of contacts and ties.
 //
 //   M (v - v0) = Σ G' γ + Σ T' μ
 //   contacts:  u = G v + bias in the frame (n, t1, t2);  0 ≤ γ_n ⊥ u_n ≥ 0;  |γ_t| ≤ friction γ_n, against u_t where it slides

@@ -1,4 +1,4 @@
-// Block coordinate descent on the dual of a stage's problem,
+// Block coordinate descent on the dual of an island's problem,
 //
 //   Φ(γ, μ) = ½ |y0 + J'γ + T'μ|² + bias·γ + ½ c γ_n² - wanted·μ,   γ_n ≥ 0,  |γ_t| ≤ friction γ_n,
 //
