@@ -9,12 +9,13 @@ namespace pantin {
 void project_articulate(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Before a full sub-step of `full` [s]: takes out of the momenta a running mean of what projections gave, p -= G0'Λ̂ with
-/// Λ̂ = ½ (Λ̂ + Λ) after each: with the projection at the end, two equal halves. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
-/// projection are nearly reversible together (symmetric projection: Hairer 2000), and energy drifts less; where the articulate
-/// takes an even number of sub-steps, p += G0'Λ̂. Nothing, and false, where the last one was another: edited, halved, a fallback, of another length,
-/// or with multipliers that are not all determined.
+/// Λ̂ = ½ (Λ̂ + Λ) after each: with the projection at the end, two equal halves. A solved step turns the sign of a velocity
+/// that the rows forbid, so with this it and its projection are nearly reversible together (symmetric projection: Hairer
+/// 2000), and energy drifts less; where the articulate takes an even number of own sub-steps, p += G0'Λ̂. Nothing, and false,
+/// where the last one was another: edited, halved, a fallback, of another length, or with multipliers that are not all
+/// determined.
 bool project_symmetrically(Articulate& articulate, double full, DriftReport& report);
-/// Of Λ̂ there: -1, or 1 where the articulate takes an even number of sub-steps.
+/// Of Λ̂ there: -1, or 1 where the articulate takes an even number of own sub-steps.
 inline double symmetric_sign(const Articulate& a) { return a.sub_steps.count == 1 ? -1.0 : 1.0; }
 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
