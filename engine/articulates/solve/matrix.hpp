@@ -26,6 +26,7 @@ void clear_hubs(Articulate& articulate);
 void solve_hubs(Articulate& articulate);
 /// As `factorise` for another right side, on the factor of Newton's matrix at hand.
 void reuse_factor(Articulate& articulate, const System& system);
+
 /// tr(S_kk)/3 of a row from the nodes' masses and inverse inertia, of a turn along its axes, [1/kg].
 double mobility(const Articulate& articulate, const Row& row);
 
