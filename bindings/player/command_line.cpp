@@ -12,14 +12,15 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::array<const char*, 7> known_endings = {".csv", ".png", ".mp4", ".gif", ".webp", ".xyz", ".glb"};
+constexpr std::array<const char*, 8> known_endings = {".csv", ".h5", ".png", ".mp4", ".gif", ".webp", ".xyz", ".glb"};
 
 std::string check_ending(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension();
   if (std::find(known_endings.begin(), known_endings.end(), ending) != known_endings.end()) return "";
-  return text("'", path,
-              "' must end in .csv (probes), .png (last frame), .mp4, .gif or .webp (film), .xyz (trajectory) or .glb "
-              "(animation)");
+  return text(
+      "'", path,
+      "' must end in .csv or .h5 (probes), .png (last frame), .mp4, .gif or .webp (film), .xyz (trajectory) or .glb "
+      "(animation)");
 }
 
 /// Whether all of it is a number within bounds.
@@ -112,15 +113,17 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
   add_limits(app, scene, texts);
   add_threads(app, scene);
   list_option(app, "--out", scene.outputs,
-              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
+              "By its ending: .csv probes of each step, .h5 the same as HDF5, .png last frame, .mp4 .gif .webp film, "
+              ".xyz trajectory of all "
               "particles, .glb animation with meshes",
               "FILE", check_ending);
-  app.add_option("--every", scene.table.every, "Simulated time from row to row of .csv, s; else each step has a row")
+  app.add_option("--every", scene.table.every,
+                 "Simulated time from row to row of .csv and .h5, s; else each step has a row")
       ->check(check_number)
       ->type_name("T");
-  app.add_option(
-         "--reduce", scene.table.reductions,
-         "With --every: more columns of each probe, over the steps since the row before: least,largest,mean,rms")
+  app.add_option("--reduce", scene.table.reductions,
+                 "With --every or --when: more columns of each probe, over the steps since the row before: "
+                 "least,largest,mean,rms")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(reduction_names), std::end(reduction_names))))
       ->type_name("NAME,...");
@@ -137,6 +140,11 @@ void add_untrusted(CLI::App& app, RunOptions& scene) {
 
 /// Of `run`, which may go on from what an earlier one left.
 void add_state(CLI::App& app, RunOptions& scene) {
+  app.add_option("--when", scene.table.when,
+                 "A row of .csv and .h5 also at each step where one of these probes changes; without --every there "
+                 "alone, and at the first and the last")
+      ->delimiter(',')
+      ->type_name("PROBE,...");
   app.add_option("--from", scene.from, "Goes on from a saved state, to the same bits; the scene is in it")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
@@ -171,7 +179,7 @@ void add_soak(CLI::App& test, SoakOptions& soak) {
 }
 
 std::string check_table(const std::string& path) {
-  return path.ends_with(".csv") ? "" : text("'", path, "' must end in .csv");
+  return path.ends_with(".csv") || path.ends_with(".h5") ? "" : text("'", path, "' must end in .csv or .h5 (HDF5)");
 }
 
 /// `pantin sweep`.
@@ -207,10 +215,10 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
           "The same, for smallest")
       ->excludes(best)
       ->type_name("COLUMN");
-  command->add_option("--out", sweep.out, "The table: a row a case")
+  command->add_option("--out", sweep.out, "The table: a row a case; .csv, or .h5 (HDF5)")
       ->required()
       ->check(check_table)
-      ->type_name("FILE.csv");
+      ->type_name("FILE");
   command->add_flag("--retry-failed", sweep.retry_failed,
                     "Of a sweep that was finished or stopped, runs the failed cases again, with another limit if you "
                     "like, and keeps the others");
@@ -229,7 +237,8 @@ std::string check_svg(const std::string& path) {
 void add_plot(CLI::App& app, PlotOptions& plot) {
   CLI::App* command = app.add_subcommand("plot", "Draws columns of a table against each other: lines, or a heat map");
   command
-      ->add_option("table", plot.table, "A .csv file with names in its first row, as `sweep` and `run --out` write it")
+      ->add_option("table", plot.table,
+                   "A .csv file with names in its first row, or .h5, as `sweep` and `run --out` write it")
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("--x", plot.x, "Column along the picture")->required()->type_name("COLUMN");

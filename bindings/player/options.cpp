@@ -41,8 +41,8 @@ void settle(Options& options, const Texts& texts) {
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
   if (!texts.views.empty()) options.run.views = read_views(texts.views);
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
-  if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0)
-    throw UsageError("--reduce needs --every, the time from row to row");
+  if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0 && options.run.table.when.empty())
+    throw UsageError("--reduce needs --every, the time from row to row, or --when");
   options.sweep.until = options.run.until;
   options.sweep.script_limit = options.run.script_limit;
   options.sweep.memory_limit = options.run.memory_limit;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "player/hdf5_table.hpp"
 #include "player/summary.hpp"
 #include "scene/errors.hpp"
 
@@ -14,6 +15,7 @@ Outputs::Outputs(const RunOptions& options) : rows_(options.table) {
   auto add = [&](std::vector<Output>& list, const std::string& path) {
     if (!seen.insert(std::filesystem::absolute(path).lexically_normal()).second)
       throw UsageError(text(path, " is given as an output twice"));
+    if (path.ends_with(hdf5_ending)) need_hdf5();
     list.emplace_back(path);
   };
   for (const std::string& path : options.outputs) add(files_, path);
@@ -37,7 +39,8 @@ std::vector<std::string> Outputs::films() const {
 
 void Outputs::write_tables(const Times& times, const World& world) {
   for (Output& file : files_)
-    if (file.path().ends_with(".csv")) complete(file, [&] { file.write(probe_table(times, world.probes, rows_)); });
+    if (file.path().ends_with(".csv") || file.path().ends_with(hdf5_ending))
+      complete(file, [&] { file.write(table_content(file.path(), probe_columns(times, world.probes, rows_))); });
 }
 
 void Outputs::write_summary(const Scene& scene, const std::string& failure) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "player/csv.hpp"
+#include "player/hdf5_table.hpp"
 #include "player/heat_map.hpp"
 #include "player/output.hpp"
 #include "player/plot.hpp"
@@ -18,13 +19,18 @@
 namespace pantin::player {
 namespace {
 
+/// The names first.
+std::vector<std::vector<std::string>> rows_in(const std::string& path) {
+  const auto content = path.ends_with(hdf5_ending) ? csv_text(read_hdf5(path)) : file_content(path);
+  if (!content) throw UsageError(text("cannot read ", path));
+  return read_csv(*content);
+}
+
 /// A table whose columns have names.
 class NamedTable {
  public:
   explicit NamedTable(const std::string& path) : path_(path) {
-    const auto content = file_content(path);
-    if (!content) throw UsageError(text("cannot read ", path));
-    rows_ = read_csv(*content);
+    rows_ = rows_in(path);
     if (rows_.size() < 2) throw UsageError(text(path, " has no rows"));
     names_ = rows_.front();
     rows_.erase(rows_.begin());

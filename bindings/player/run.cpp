@@ -1,5 +1,6 @@
 #include "player/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -123,6 +124,15 @@ std::unique_ptr<Scene> open(const RunOptions& options, const std::string& path, 
   return path.ends_with(state_ending) ? open_saved(path, "", opened) : lua::open_scene(path, opened);
 }
 
+void check_probes(const RunOptions& options, const World& world) {
+  std::string all;
+  for (const Probe& probe : world.probes) all += (all.empty() ? "" : ", ") + probe.name;
+  for (const std::string& name : options.table.when)
+    if (std::ranges::none_of(world.probes, [&](const Probe& probe) { return probe.name == name; }))
+      throw UsageError(
+          text("--when ", name, ": the scene has no such probe at its start; it has ", all.empty() ? "none" : all));
+}
+
 }  // namespace
 
 int run(const RunOptions& options, const std::string& home) {
@@ -133,6 +143,7 @@ int run(const RunOptions& options, const std::string& home) {
   if (options.untrusted) confine(reach_of(options, path, home));
   std::unique_ptr<Scene> scene = open(options, path, home);
   World& world = scene->world();
+  check_probes(options, world);
   const std::unique_ptr<Frames> frames = begin_frames(*scene, options, outputs);
   Times times;
   SavesAt saves(options.save_at, *scene, outputs);

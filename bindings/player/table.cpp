@@ -2,26 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "player/csv.hpp"
+#include <limits>
 
 namespace pantin::player {
 namespace {
 
-/// The last step of each interval; the first one begins before the first step.
-std::vector<std::size_t> rows_due(const SharedList& times, double every) {
-  std::vector<std::size_t> rows;
-  const auto interval = [&](double time) { return std::floor(time / every * (1.0 + 1e-12) + 1e-9); };
-  for (std::size_t i = 0; i < times.size(); i++) {
-    const bool last = i + 1 == times.size();
-    const double before = i > 0 ? times[i - 1] : last ? 0.0 : times[0] - (times[1] - times[0]);
-    if (every <= 0.0 || last || interval(times[i]) > interval(before)) rows.push_back(i);
-  }
-  return rows;
-}
-
 bool is_known(const Probe& probe, std::uint64_t step) {
   return step >= probe.first_step && step - probe.first_step < probe.values.size();
+}
+
+/// First known, or another number than in the step before.
+bool changed(const Probe& probe, std::uint64_t step) {
+  if (!is_known(probe, step)) return false;
+  const std::uint64_t i = step - probe.first_step;
+  return i == 0 || probe.values[i] != probe.values[i - 1];
+}
+
+/// The last step of each interval, the first of which begins before the first step, and those at which probes change.
+std::vector<std::size_t> rows_due(const Times& all, const std::vector<Probe>& probes, const TableRows& rows) {
+  const SharedList& times = all.values;
+  std::vector<std::size_t> due;
+  const auto interval = [&](double time) { return std::floor(time / rows.every * (1.0 + 1e-12) + 1e-9); };
+  const auto by_time = [&](std::size_t i) {
+    if (rows.every <= 0.0) return rows.when.empty();
+    const double before = i > 0 ? times[i - 1] : times.size() == 1 ? 0.0 : times[0] - (times[1] - times[0]);
+    return interval(times[i]) > interval(before);
+  };
+  const auto by_probe = [&](std::size_t i) {
+    return std::ranges::any_of(probes, [&](const Probe& probe) {
+      return std::ranges::count(rows.when, probe.name) > 0 && changed(probe, all.first_step + i);
+    });
+  };
+  for (std::size_t i = 0; i < times.size(); i++)
+    if (i + 1 == times.size() || by_time(i) || by_probe(i)) due.push_back(i);
+  return due;
 }
 
 /// Those that are known, both ends with them.
@@ -52,27 +66,34 @@ void Times::add(const World& world) {
     values.push_back(world.time - static_cast<double>(count - 1 - i) * world.settings.step);
 }
 
-std::string probe_table(const Times& times, const std::vector<Probe>& probes, const TableRows& rows) {
-  std::string out = "time";
+std::vector<Column> probe_columns(const Times& times, const std::vector<Probe>& probes, const TableRows& rows) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::size_t> due = rows_due(times, probes, rows);
+  std::vector<Column> columns;
+  const auto add = [&](const std::string& name, const std::string& unit, auto cell) {
+    std::vector<double> cells;
+    cells.reserve(due.size());
+    for (std::size_t i = 0; i < due.size(); i++) cells.push_back(cell(i));
+    columns.push_back({name, unit, std::move(cells), false});
+  };
+  add("time", "s", [&](std::size_t i) { return times.values[due[i]]; });
   for (const Probe& probe : probes) {
-    out += "," + csv_cell(probe.name);
-    for (const std::string& reduction : rows.reductions) out += "," + csv_cell(probe.name + " " + reduction);
+    add(probe.name, "", [&](std::size_t i) {
+      const std::uint64_t step = times.first_step + due[i];
+      return is_known(probe, step) ? probe.values[step - probe.first_step] : unknown;
+    });
+    for (const std::string& reduction : rows.reductions)
+      add(probe.name + " " + reduction, "", [&](std::size_t i) {
+        const std::vector<double> values =
+            values_between(probe, times.first_step + (i > 0 ? due[i - 1] + 1 : 0), times.first_step + due[i]);
+        return values.empty() ? unknown : reduced(values, reduction);
+      });
   }
-  out += "\n";
-  std::size_t first = 0;
-  for (const std::size_t row : rows_due(times.values, rows.every)) {
-    out += number_text(times.values[row]);
-    for (const Probe& probe : probes) {
-      const std::vector<double> values = values_between(probe, times.first_step + first, times.first_step + row);
-      const bool known = is_known(probe, times.first_step + row);
-      out += known ? "," + number_text(values.back()) : ",";
-      for (const std::string& reduction : rows.reductions)
-        out += values.empty() ? "," : "," + number_text(reduced(values, reduction));
-    }
-    out += "\n";
-    first = row + 1;
-  }
-  return out;
+  return columns;
+}
+
+std::string probe_table(const Times& times, const std::vector<Probe>& probes, const TableRows& rows) {
+  return csv_text(probe_columns(times, probes, rows));
 }
 
 }  // namespace pantin::player

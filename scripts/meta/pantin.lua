@@ -1365,7 +1365,7 @@ function Scene:behave(target, behaviour, options) end
 ---@param name string
 ---@param action function
 function Scene:button(name, action) end
----Records a number each step.
+---Records a number each step. `pantin run --out t.csv --when NAME` writes a row where it changes.
 ---```lua
 ---scene:probe("height", function() return p.position.y end)
 ---```

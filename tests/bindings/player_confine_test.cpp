@@ -35,7 +35,7 @@ TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but i
 }
 
 TEST_CASE("confine: an untrusted scene runs as any other") {
-  const std::string ending = GENERATE(".csv", ".xyz", ".glb", ".png");
+  const std::string ending = GENERATE(".csv", ".h5", ".xyz", ".glb", ".png");
   support::Folder folder;
   std::filesystem::create_directories(folder.path / "a");
   std::filesystem::create_directories(folder.path / "b");

@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/program_support.hpp"
+#include "player/hdf5_table.hpp"
 
 using namespace pantin::support;
+namespace player = pantin::player;
 
 namespace {
 
@@ -21,6 +23,7 @@ TEST_CASE(
   Folder folder;
   write_file(folder / "swing.lua", swing);
   std::vector<std::string> endings = {".csv", ".xyz", ".glb", ".png"};
+  if (player::has_hdf5()) endings.emplace_back(".h5");
   if (have_program("ffmpeg")) endings.insert(endings.end(), {".mp4", ".gif", ".webp"});
   for (const std::string& ending : endings) {
     INFO(ending);

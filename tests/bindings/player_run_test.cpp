@@ -1,8 +1,10 @@
 // What a run leaves that an error stops.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bindings/program_support.hpp"
+#include "player/csv.hpp"
 #include "support/process.hpp"
 #include "support/sources.hpp"
 
@@ -89,4 +91,27 @@ scene:connect_within(group, 1, force.spring { stiffness = 1, length = 1 })
   const Finished large = use(folder, {"run", "dense.lua", "--script-limit", "60", "--memory-limit", "100MiB"});
   CHECK(large.code == 1);
   CHECK_THAT(large.err, Contains("the scene takes more memory than it may (--memory-limit)"));
+}
+
+TEST_CASE("program: a run's table has a row at each event that a probe counts") {
+  Folder folder;
+  write_file(folder / "drop.lua", R"(
+    scene:floor {}
+    local ball = scene:body { at = vec(0, 0.5, 0), shape = shape.ball { radius = 0.1, restitution = 0.7 } }
+    local touches = 0
+    scene:on("touched", ball, function() touches = touches + 1 end)
+    scene:probe("touches", function() return touches end)
+    scene:probe("height", function() return ball.position.y end)
+  )");
+  const auto run = [&](const std::string& when) {
+    return use(folder, {"run", "drop.lua", "--until", "1", "--out", "t.csv", "--when", when});
+  };
+  REQUIRE(run("touches").code == 0);
+  const auto rows = pantin::player::read_csv(read_file(folder / "t.csv"));
+  REQUIRE(rows.size() >= 4);
+  for (std::size_t i = 1; i + 1 < rows.size(); i++) CHECK(rows[i][1] == std::to_string(i - 1));
+  CHECK(std::stod(rows[2][0]) == Approx(std::sqrt(2 * 0.4 / 9.81)).margin(0.02));
+  const Finished none = run("touch");
+  CHECK(none.code == 2);
+  CHECK_THAT(none.err, Contains("no such probe at its start; it has touches, height"));
 }

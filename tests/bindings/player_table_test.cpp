@@ -53,6 +53,26 @@ TEST_CASE("table: a row for each so many seconds and for the last step, with wha
   CHECK(probe_table({0, {0.1, 0.2}}, {wave}, {.every = 0.2, .reductions = {"mean"}}) == "time,x,x mean\n0.2,,\n");
 }
 
+TEST_CASE("table: a row where a probe changes, with what was between") {
+  Times times;
+  Probe touches, wave;
+  touches.name = "touches";
+  wave.name = "x";
+  touches.first_step = 1;
+  for (int step = 1; step <= 10; step++) {
+    times.values.push_back(0.1 * step);
+    wave.values.push_back(step);
+    if (step > 1) touches.values.push_back(step < 4 ? 0 : step < 8 ? 1 : 2);
+  }
+  CHECK(probe_table(times, {touches, wave}, {.when = {"touches"}}) ==
+        "time,touches,x\n0.2,0,2\n0.4,1,4\n0.8,2,8\n1,2,10\n");
+  CHECK(probe_table(times, {touches}, {.every = 0.5, .when = {"touches"}}) ==
+        "time,touches\n0.2,0\n0.4,1\n0.5,1\n0.8,2\n1,2\n");
+  CHECK(probe_table(times, {touches, wave}, {.when = {"touches"}, .reductions = {"mean"}}) ==
+        "time,touches,touches mean,x,x mean\n0.2,0,0,2,1.5\n0.4,1,0.5,4,3.5\n0.8,2,1.25,8,6.5\n1,2,2,10,9.5\n");
+  CHECK(probe_table(times, {wave}, {.when = {"x"}}) == probe_table(times, {wave}));
+}
+
 TEST_CASE("table: without probes, the times") { CHECK(probe_table(Times{0, {0.5}}, {}) == "time\n0.5\n"); }
 
 TEST_CASE("table: rows are dropped where the world went back, and are there again where it went forward") {

@@ -276,7 +276,8 @@ std::vector<Method> telling() {
   return {
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window.",
        "scene:button(\"kick\", function() p:kick(vec(0, 2, 0)) end)"},
-      {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step.",
+      {"probe", guard<scene_probe>, "name: string, read: fun(): number", "",
+       "Records a number each step. `pantin run --out t.csv --when NAME` writes a row where it changes.",
        "scene:probe(\"height\", function() return p.position.y end)"},
       {"result", guard<scene_result>, "name: string, value: number|boolean|string [its own]", "",
        "Puts a value into the summary.",

@@ -76,6 +76,11 @@ const std::string& cell_of(const Cells& cells, const std::string& name) {
   return empty;
 }
 
+std::string unit_of(const std::string& measure) {
+  if (measure == "time" || measure == "seconds") return "s";
+  return measure == "hinge_gap" || measure == "constraint" || measure == "penetration" ? "m" : "";
+}
+
 bool is_measure(const std::string& name) { return name == "case" || std::ranges::count(measures, name); }
 
 /// A fraction as the number that it is; another text as it is.
@@ -114,25 +119,27 @@ std::string told_column(const Cases& cases, const std::string& name) {
   return is_set || is_measure(name) ? name + " told" : name;
 }
 
-std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed) {
+std::vector<Column> case_columns(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed) {
+  std::vector<Column> columns;
+  const auto add = [&](const std::string& name, const std::string& unit, auto cell) {
+    std::vector<std::string> cells;
+    for (const auto& [number, row] : rows) cells.push_back(cell(row));
+    columns.push_back({name, unit, std::move(cells), name == "hash" || name == "error"});
+  };
+  add("case", "", [](const CaseRow& row) { return std::to_string(row.number); });
+  for (std::size_t a = 0; a < cases.axes().size(); a++) {
+    const std::string& name = cases.axes()[a].name;
+    add(is_measure(name) ? name + " set" : name, "",
+        [&](const CaseRow& row) { return as_number(cases.settings(row.number)[a].second); });
+  }
   std::vector<std::string> told;
   for (const auto& [number, row] : rows) add_names(told, row.told);
-  std::string out = "case";
-  for (const Axis& axis : cases.axes()) out += "," + csv_cell(is_measure(axis.name) ? axis.name + " set" : axis.name);
-  for (const std::string& name : told) out += "," + csv_cell(told_column(cases, name));
-  const auto is_told = [&](const std::string& name) { return timed || name != "seconds"; };
-  for (const char* name : measures)
-    if (is_told(name)) out += text(",", name);
-  out += "\n";
-  for (const auto& [number, row] : rows) {
-    out += std::to_string(number);
-    for (const auto& [name, value] : cases.settings(number)) out += "," + csv_cell(as_number(value));
-    for (const std::string& name : told) out += "," + csv_cell(cell_of(row.told, name));
-    for (const char* name : measures)
-      if (is_told(name)) out += "," + csv_cell(cell_of(row.measured, name));
-    out += "\n";
-  }
-  return out;
+  for (const std::string& name : told)
+    add(told_column(cases, name), "", [&](const CaseRow& row) { return cell_of(row.told, name); });
+  for (const std::string name : measures)
+    if (timed || name != "seconds")
+      add(name, unit_of(name), [&](const CaseRow& row) { return cell_of(row.measured, name); });
+  return columns;
 }
 
 }  // namespace pantin::player

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "player/columns.hpp"
 #include "player/sweep/cases.hpp"
 #include "scene/options.hpp"
 
@@ -38,7 +39,7 @@ inline bool failed(const CaseRow& row) { return !error_of(row).empty(); }
 /// The column of what the scene told by a name, which may be one of the table's own.
 std::string told_column(const Cases& cases, const std::string& name);
 
-/// Comma-separated, a row per case: its number, what is set, what the scene told, what was measured.
-std::string case_table(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed);
+/// A row per case: its number, what is set, what the scene told, what was measured.
+std::vector<Column> case_columns(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed);
 
 }  // namespace pantin::player

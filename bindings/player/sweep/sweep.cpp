@@ -10,6 +10,7 @@
 
 #include "lua/scene/open.hpp"
 #include "player/csv.hpp"
+#include "player/hdf5_table.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
@@ -158,7 +159,7 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
     return 1;
   }
   Output table(options.out);
-  table.write(case_table(cases, rows, options.timed));
+  table.write(table_content(options.out, case_columns(cases, rows, options.timed)));
   table.keep();
   const bool to_retry = !best && failures(rows) > 0;
   to_retry ? journal.finish() : journal.remove();
@@ -181,6 +182,7 @@ int sweep(const SweepOptions& options, const std::string& home) {
   const std::string path = find_scene(options.scene, home);
   std::vector<Axis> axes = read_axes(options);
   if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
+  if (options.out.ends_with(hdf5_ending)) need_hdf5();
   if (options.retry_failed && !options.wanted.column.empty())
     throw UsageError(
         "--retry-failed is of no use to --best and --least: where they went after a failed case depends on it");
