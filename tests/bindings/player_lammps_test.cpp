@@ -168,14 +168,16 @@ TEST_CASE("lammps: what is exported is the scene to the last digit, with its mas
     data >> atom >> molecule >> type >> x >> y >> z;
     CHECK(atom == static_cast<double>(++number));
     CHECK(molecule >= 1.0);
-    CHECK(same(position(scene->world(), id), vec(x, y, z)));
+    // Whole bodies are in the box with their first point; that is 9 m wide.
+    const Vec3 away = (position(scene->world(), id) - vec(x, y, z)) / 9.0;
+    for (int k = 0; k < 3; k++) CHECK(std::fabs(away[k] - std::round(away[k])) < 1e-15);
   }
   CHECK_THAT(read_file(folder / "files/scene.data"), Contains("0 9 xlo xhi") && Contains("3 atom types"));
   CHECK_THAT(read_file(folder / "files/in.scene"),
              Contains("rigid/small molecule") && Contains("boundary p p p") && Contains("Units"));
   CHECK_THAT(export_scene(folder, springs).out, Contains("216 particles of 1 types, 540 bonds"));
   CHECK_THAT(read_file(folder / "files/in.scene"),
-             Contains("boundary s s s") && Contains("fix gravity all gravity 9.81 vector 0 -9.81 0"));
+             Contains("boundary m m m") && Contains("fix gravity all gravity 9.81 vector 0 -9.81 0"));
 }
 
 TEST_CASE("lammps: formulas for those of 2023 on are beside the tables") {
@@ -193,6 +195,65 @@ TEST_CASE("lammps: what it cannot do ends with a list, and nothing is written") 
   CHECK_THAT(refused.err, Contains("scene.lua has what LAMMPS cannot be given:") && Contains("a shape that touches") &&
                               Contains("again and again (scene.lua:"));
   CHECK_FALSE(std::filesystem::exists(folder / "files"));
+}
+
+TEST_CASE("lammps: names of a scene are no lines of LAMMPS' scripts") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, R"(
+    local f = scene:family "atoms\nshell touch one\n#"
+    scene:particle { at = vec(0, 0, 0), family = f }
+    scene:field(f, force.point { name = "wind &\nshell touch two \"\"\"", force = function(p) return vec(1, 0, 0) end })
+    scene:interact(f, f, force.pair { name = "a\nshell touch three", cutoff = 1, potential = function(r) return (1 - r) ^ 4 end })
+  )")
+              .code == 0);
+  for (const char* name : {"in.scene", "scene.data", "pair.table", "laws.tables"}) {
+    std::istringstream lines(read_file(folder / "files" / name));
+    for (std::string line; std::getline(lines, line);) {
+      INFO(name << ": " << line);
+      CHECK((line.find("shell") == line.npos || line.find('#') < line.find("shell")));
+    }
+  }
+}
+
+TEST_CASE("lammps: what it would do otherwise than this program is refused") {
+  const Folder folder;
+  const auto why = [&](const std::string& source) {
+    const Finished finished = export_scene(folder, source);
+    CHECK(finished.code == 1);
+    return finished.err;
+  };
+  CHECK_THAT(why("scene:body { points = { { at = vec(-1, 0, 0), mass = 1 }, { at = vec(1, 0, 0), mass = 1 }, "
+                 "{ at = vec(0, 1, 0), mass = 1e-8 } } }"),
+             Contains("a body that is all but a line"));
+  CHECK_THAT(why("scene:particle({ at = vec(0, 0, 0) }):push(vec(100, 0, 0))"),
+             Contains("a push that the next step takes"));
+  CHECK_THAT(why("scene.step = 0.01 local f = scene:family 'f' scene:particle { at = vec(0, 0, 0), family = f } "
+                 "scene:field(f, force.thermostat { rate = 100, temperature = 1 })"),
+             Contains("give it a rate of 20 /s or less"));
+  CHECK_THAT(why("scene.box = vec(1, 1, 1) scene:particle { at = vec(0, 0, 0), velocity = vec(1000, 0, 0) }"),
+             Contains("round the box more often than the 500 times"));
+}
+
+TEST_CASE("lammps: a law's narrow barrier is in its table, or is told to be too narrow") {
+  const Folder folder;
+  const auto pair = [](const char* width) {
+    return std::string(R"(
+      scene.gravity, scene.box = vec(0, 0, 0), vec(40, 40, 40)
+      local f = scene:family "f"
+      for i = 1, 2 do scene:particle { at = vec(4 + 4 * i, 0, 0), velocity = vec(3 - 2 * i, 0, 0), family = f } end
+      scene:interact(f, f, force.pair { cutoff = 10, potential = function(r)
+        return 0.2 * math.exp(-r * r / 8) - 0.2 * math.exp(-12.5) + 5 * math.exp(-((r - 1.5) / )") +
+           width + R"() ^ 2) end }))";
+  };
+  REQUIRE(export_scene(folder, pair("0.006")).code == 0);
+  std::istringstream table(read_file(folder / "files/pair.table"));
+  double highest = 0.0;
+  for (std::string line; std::getline(table, line);) {
+    double number = 0, r = 0, energy = 0;
+    if (std::istringstream(line) >> number >> r >> energy && r > 1.4 && r < 1.6) highest = std::fmax(highest, energy);
+  }
+  CHECK(highest == Approx(5.15).epsilon(0.01));
+  CHECK_THAT(export_scene(folder, pair("0.0002")).err, Contains("something narrow"));
 }
 
 TEST_CASE("lammps: wrong use is told before anything runs") {

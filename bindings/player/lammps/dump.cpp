@@ -154,9 +154,12 @@ DumpedAtoms read_dump(const std::string& path, std::size_t count, std::size_t co
   return atoms;
 }
 
-void bring_back(World& world, const LammpsSystem& system, const DumpedAtoms& atoms, double time) {
+void bring_back(World& world, const LammpsSystem& system, DumpedAtoms atoms, double time) {
   std::vector<std::uint32_t> atom_of(world.particles.slots(), 0);
   for (std::uint32_t i = 0; i < system.atoms.size(); i++) atom_of[system.atoms[i].slot - 1] = i;
+  const std::vector<Vec3> away = boxes_away(world, system);
+  for (std::uint32_t i = 0; i < system.atoms.size(); i++)
+    for (std::size_t k = 0; k < 3; k++) atoms[i][k] += away[i][static_cast<int>(k)];
   for (std::uint32_t i = 0; i < system.atoms.size(); i++) {
     const PointId point = world.particles[system.atoms[i]].points[0];
     if (world.points[point].body) continue;

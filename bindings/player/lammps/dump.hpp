@@ -15,6 +15,6 @@ using DumpedAtoms = std::vector<std::array<double, 6>>;
 DumpedAtoms read_dump(const std::string& path, std::size_t count, std::size_t columns);
 
 /// Puts particles and bodies where LAMMPS has them, with its velocities, at `time` [s]. Throws Error.
-void bring_back(World& world, const LammpsSystem& system, const DumpedAtoms& atoms, double time);
+void bring_back(World& world, const LammpsSystem& system, DumpedAtoms atoms, double time);
 
 }  // namespace pantin::player

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/bounds.hpp"
+#include "base/hash.hpp"
 #include "player/output.hpp"
 #include "scene/errors.hpp"
 
@@ -49,6 +50,12 @@ void write_file(const std::string& folder, const char* name, const std::string& 
   output.keep();
 }
 
+/// Of an export before.
+void remove_file(const std::string& folder, const char* name) {
+  std::error_code ignored;
+  fs::remove(fs::path(folder) / name, ignored);
+}
+
 void make_folder(const std::string& folder) {
   std::error_code failed;
   if (fs::exists(folder) && !fs::is_directory(folder))
@@ -59,6 +66,16 @@ void make_folder(const std::string& folder) {
   if (failed) throw UsageError(text("cannot write ", folder, ": ", failed.message()));
 }
 
+/// A scene's words for a comment: LAMMPS goes on in the next line after '&', opens texts by quotes, and puts variables in.
+std::string words(std::string_view scene_text) {
+  std::string out(scene_text);
+  for (char& c : out)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
+        std::string_view("&\"'$#\\`").find(c) != std::string_view::npos)
+      c = '_';
+  return out;
+}
+
 bool has_molecules(const LammpsSystem& system) { return !system.bonds.empty() || !system.bodies.empty(); }
 
 /// The box of the scene, or one around all atoms.
@@ -66,13 +83,16 @@ Bounds bounds_of(const World& world, const LammpsSystem& system) {
   if (world.settings.box) return {zero3(), *world.settings.box};
   Bounds bounds;
   for (ParticleId id : system.atoms) bounds.add(position(world, id));
-  return widened(bounds, std::max(1e-6, 0.5 * system.nearest));
+  // LAMMPS has no cells for a box that is flat beside the distances that laws reach.
+  double reach = 0.0;
+  for (const LammpsTable& t : system.pair_tables) reach = std::max(reach, t.table.to());
+  return widened(bounds, std::max({1e-6, 0.5 * system.nearest, reach}));
 }
 
 std::string data_text(const World& world, const LammpsSystem& system, const std::string& name) {
   Text out;
   out.reserve(160 * system.atoms.size() + 40 * system.bonds.size() + 4096);
-  out << "LAMMPS data of " << name << " at " << world.time << " s; m, kg, s\n\n";
+  out << "LAMMPS data of " << words(name) << " at " << world.time << " s; m, kg, s\n\n";
   out << static_cast<std::uint64_t>(system.atoms.size()) << " atoms\n"
       << static_cast<std::uint64_t>(system.types.size()) << " atom types\n";
   if (!system.bonds.empty())
@@ -84,11 +104,12 @@ std::string data_text(const World& world, const LammpsSystem& system, const std:
   out << "\nMasses\n\n";
   for (std::size_t i = 0; i < system.types.size(); i++)
     out << static_cast<std::uint64_t>(i + 1) << " " << system.types[i].mass << " # "
-        << describe(world, system, system.types[i]) << "\n";
+        << words(describe(world, system, system.types[i])) << "\n";
   const bool molecules = has_molecules(system);
+  const std::vector<Vec3> away = boxes_away(world, system);
   out << "\nAtoms # " << (molecules ? "bond" : "atomic") << "\n\n";
   for (std::size_t i = 0; i < system.atoms.size(); i++) {
-    const Vec3 x = position(world, system.atoms[i]);
+    const Vec3 x = position(world, system.atoms[i]) - away[i];
     out << static_cast<std::uint64_t>(i + 1) << " ";
     if (molecules) out << system.body_of[i] << " ";
     out << system.type_of[i] << " " << x[0] << " " << x[1] << " " << x[2] << "\n";
@@ -111,7 +132,7 @@ std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
   out << "# distance m, energy J, force N\n";
   for (const LammpsTable& t : tables) {
     const LawTable& table = t.table;
-    out << "\n# " << t.law << ", to an error of " << table.error << "\n";
+    out << "\n# " << words(t.law) << ", to an error of " << table.error << "\n";
     out << t.name << "\nN " << static_cast<std::uint64_t>(table.r.size());
     if (of_pairs)
       out << " RSQ " << table.from() << " " << table.to() << " FPRIME " << table.slope_from << " " << table.slope_to;
@@ -199,7 +220,7 @@ std::string type_list(const std::vector<int>& types) {
 
 /// What the script begins with, for who reads it.
 std::string header_text(const World& world, const LammpsSystem& system, const LammpsTask& task, bool lepton) {
-  std::string out = text("# ", task.name, " at ", world.time, " s, for LAMMPS of 29 September 2021 or newer:\n",
+  std::string out = text("# ", words(task.name), " at ", world.time, " s, for LAMMPS of 29 September 2021 or newer:\n",
                          "#   lmp -in in.scene        or        mpirun -np 4 lmp -in in.scene\n",
                          "# Units: those of the scene, m, kg, s, J, N; temperatures are k_B T in J. In `units lj` "
                          "LAMMPS converts nothing.\n");
@@ -207,7 +228,7 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
               " of the energy and force there, or of the usual ones\n# now where these are more.\n");
   for (const auto* list : {&system.pair_tables, &system.bond_tables})
     for (const LammpsTable& t : *list)
-      out += text("#   ", t.name, ": ", t.law, ", ", t.table.r.size(),
+      out += text("#   ", t.name, ": ", words(t.law), ", ", t.table.r.size(),
                   t.table.spline ? " points, splines" : " points, straight lines", ", from ", t.table.from(), " to ",
                   t.table.to(), " m, error ", rounded(t.table.error),
                   t.table.inner_error > 0.0
@@ -217,10 +238,19 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
   out += "# A particle that comes nearer, or a bond that leaves its table, ends the run: the step is too long then.\n";
   if (lepton) out += "# LAMMPS from 2023 on takes formulas in place of tables: -var laws lepton (slower, exact).\n";
   for (std::size_t i = 0; i < system.types.size(); i++)
-    out += text("# Type ", i + 1, ": ", describe(world, system, system.types[i]), ", ", system.types[i].mass, " kg, ",
-                system.types[i].count, " of them\n");
-  for (const std::string& note : task.notes) out += "# Note: " + note + "\n";
+    out += text("# Type ", i + 1, ": ", words(describe(world, system, system.types[i])), ", ", system.types[i].mass,
+                " kg, ", system.types[i].count, " of them\n");
+  for (const std::string& note : task.notes) out += "# Note: " + words(note) + "\n";
   return out;
+}
+
+/// Of a bath, for LAMMPS: 1 to 9e8, another at each time, so that a run that goes on has other noise.
+std::uint64_t seed_of(const World& world, std::size_t bath) {
+  Hash hash;
+  hash.add(world.settings.seed);
+  hash.add(world.time);
+  hash.add(std::uint64_t{bath});
+  return 1 + hash.value % 899999999;
 }
 
 /// Gravity, fields, baths and what moves the atoms.
@@ -232,9 +262,9 @@ std::string motion_text(const World& world, const LammpsSystem& system) {
                 "\nfix_modify gravity energy yes\n");
   for (std::size_t i = 0; i < system.baths.size(); i++) {
     const LammpsBath& bath = system.baths[i];
-    out += text("group bath", i + 1, " type", type_list(bath.types), "\n", "fix bath", i + 1, " bath", i + 1,
-                " langevin ", bath.temperature, ' ', bath.temperature, ' ', 1.0 / bath.rate, ' ',
-                1000 + i + world.settings.seed % 900000, "\n");
+    out +=
+        text("group bath", i + 1, " type", type_list(bath.types), "\n", "fix bath", i + 1, " bath", i + 1, " langevin ",
+             bath.temperature, ' ', bath.temperature, ' ', 1.0 / bath.rate, ' ', seed_of(world, i), "\n");
   }
   if (system.bodies.empty()) return out + "fix move all nve\n";
   if (std::ranges::any_of(system.body_of, [](std::uint32_t body) { return body == 0; }))
@@ -247,7 +277,7 @@ std::string fields_text(const LammpsSystem& system) {
   for (std::size_t i = 0; i < system.fields.size(); i++) {
     const LammpsField& field = system.fields[i];
     const std::string name = text("field", i + 1);
-    out += text("# ", field.law, "\n", "group ", name, " type", type_list(field.types), "\n");
+    out += text("# ", words(field.law), "\n", "group ", name, " type", type_list(field.types), "\n");
     constexpr const char* axes[] = {"x", "y", "z"};
     for (std::size_t k = 0; k < 3; k++) out += text("variable ", name, axes[k], " atom \"", field.force[k], "\"\n");
     if (!field.energy.empty()) out += text("variable ", name, "e atom \"", field.energy, "\"\n");
@@ -262,7 +292,7 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
   for (const LammpsTable& t : system.pair_tables) reach = std::max(reach, t.table.to());
   const double skin = 0.12 * std::max({reach, system.longest_bond, system.nearest});
   const double ghosts = std::max({reach, 1.5 * system.longest_bond, 2.0 * system.body_extent}) + 2.0 * skin;
-  const char* const side = world.settings.box ? "p" : "s";
+  const char* const side = world.settings.box ? "p" : "m";
   std::string out = header_text(world, system, task, lepton);
   out += text("\nvariable steps index ", task.steps, "\nvariable every index ", task.every,
               "\nvariable laws index tables\nvariable check index no\n\n");
@@ -293,10 +323,14 @@ void write_lammps(const std::string& folder, const World& world, const LammpsSys
   make_folder(folder);
   const bool lepton = all_lepton(system);
   write_file(folder, "scene.data", data_text(world, system, task.name));
+  for (const char* old : {"pair.table", "bond.table"}) remove_file(folder, old);
   if (!system.pair_tables.empty()) write_file(folder, "pair.table", table_text(system.pair_tables, true));
   if (!system.bond_tables.empty()) write_file(folder, "bond.table", table_text(system.bond_tables, false));
   write_file(folder, "laws.tables", laws_text(system, true));
-  if (lepton) write_file(folder, "laws.lepton", laws_text(system, false));
+  if (lepton)
+    write_file(folder, "laws.lepton", laws_text(system, false));
+  else
+    remove_file(folder, "laws.lepton");
   write_file(folder, "in.scene", script_text(world, system, task, lepton));
 }
 

@@ -52,9 +52,27 @@ std::vector<std::string> notes_of(const Scene& scene, const LammpsSystem& system
       if (const std::string note = "the law " + t.law + " has no energy, here and there: LAMMPS' total is without it";
           !t.has_energy && std::ranges::find(notes, note) == notes.end())
         notes.push_back(note);
+  for (const auto* list : {&system.pair_tables, &system.bond_tables})
+    for (const LammpsTable& t : *list)
+      if (t.table.inner_error > 0.0)
+        notes.push_back(text("the table of ", t.law, " is off by up to ", rounded(t.table.inner_error), " below ",
+                             rounded(t.table.good_from), " m, nearer than anything is now"));
   if (!world.probes.empty()) notes.push_back(text(world.probes.size(), " probes are not recorded while LAMMPS runs"));
   if (!system.bodies.empty()) notes.push_back(text(system.bodies.size(), " rigid bodies, a molecule each"));
   return notes;
+}
+
+/// LAMMPS counts how often an atom went round a periodic box from -512 to 511, and then begins anew.
+void check_turns(const World& world, const LammpsSystem& system, double seconds, double reserve) {
+  if (!world.settings.box) return;
+  double fastest = 0.0;
+  for (ParticleId id : system.atoms) fastest = std::max(fastest, norm(velocity(world, id)));
+  const Vec3 edge = *world.settings.box;
+  const double most = 500.0 * std::min({edge[0], edge[1], edge[2]});
+  require(
+      reserve * fastest * seconds < most, "at ", rounded(fastest), " m/s for ", seconds,
+      " s a particle may go round the box more often than the 500 times that LAMMPS counts: let it run in pieces of ",
+      rounded(most / (reserve * fastest)), " s or less (--until)");
 }
 
 /// A scene as LAMMPS is given it.
@@ -83,6 +101,7 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
     throw Error(all);
   }
   given.system = lammps_system(world, options.error);
+  check_turns(world, given.system, steps * world.settings.step, 2.0);
   given.forces = present_forces(world);
   given.until = world.time + steps * world.settings.step;
   given.task.name = given.scene->file();
@@ -221,6 +240,7 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
           (fs::path(folder) / "log.lammps").string(), ")");
   bring_back(world, given.system, read_dump((fs::path(folder) / "end.dump").string(), given.system.atoms.size(), 6),
              given.until);
+  check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);
   save_state(*given.scene, out);
   remove_dumps(folder);
   const double done = static_cast<double>(given.task.steps) * static_cast<double>(given.system.atoms.size());

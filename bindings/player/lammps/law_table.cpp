@@ -175,9 +175,12 @@ class TableMaker {
     double from = beginning();
     const double to = wish_.to > 0.0 ? wish_.to : end();
     make_between(from, to);
-    require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", most_straight,
-            " points follows it to an error of ", wish_.error,
-            ": it jumps, or bends in more than one place; ask for a larger --error, or make it smooth");
+    require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", table_.r.size(),
+            " points follows it to an error of ", wish_.error, " from ", rounded(table_.from()), " to ",
+            rounded(table_.to()), " m, down from ", rounded(table_.good_from),
+            " m: it jumps, bends in more than one place, has something narrow, or changes too much over that range; "
+            "ask for a "
+            "larger --error, a shorter cutoff, or make it smooth");
     for (int attempt = 0; attempt < 8 && table_.inner_error > most_inner; attempt++) {
       from = 0.3 * from + 0.7 * table_.good_from;
       make_between(from, to);
@@ -193,12 +196,14 @@ class TableMaker {
   LawTable table_;
   double nearest_ = 0.0, farthest_ = 0.0;              // [m] now
   double largest_energy_ = 0.0, largest_force_ = 0.0;  // [J], [N] there
+  double energy_size_ = 0.0, force_size_ = 0.0;        // [J], [N]
   double far_ = far_straight;
 
   double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
   double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
 
-  /// How large the law is where particles are now.
+  /// How large the law is where particles are now, and what its errors are held against: that, or where it does next to nothing
+  /// yet a part of what particles bring along.
   void find_sizes() {
     nearest_ = std::ranges::min(wish_.distances);
     farthest_ = std::ranges::max(wish_.distances);
@@ -219,6 +224,12 @@ class TableMaker {
       table_.usual_energy = std::max(table_.usual_energy, energy / count);
       table_.usual_force = std::max(table_.usual_force, force / count);
     }
+    energy_size_ = table_.usual_energy;
+    force_size_ = table_.usual_force;
+    if (law_.has_energy() && energy_size_ < 1e-3 * wish_.kinetic) {
+      energy_size_ = 0.1 * wish_.kinetic;
+      force_size_ = std::max(force_size_, energy_size_ / nearest_);
+    }
   }
 
   bool splines(const std::vector<double>& kinks) const { return kinks.empty() && !wish_.straight && law_.has_energy(); }
@@ -226,8 +237,9 @@ class TableMaker {
   bool is_far(double r) const {
     const LawOfDistance::Value v = law_.at(std::span(&r, 1))[0];
     if (!std::isfinite(v.energy) || !std::isfinite(v.force)) return true;
-    return (law_.has_energy() && std::abs(v.energy) > far_ * largest_energy_) ||
-           std::abs(v.force) > 1e3 * far_ * largest_force_;
+    if (!law_.has_energy()) return largest_force_ > 0.0 && std::abs(v.force) > 1e3 * far_ * largest_force_;
+    const double energy = std::max(largest_energy_, wish_.kinetic);
+    return energy > 0.0 && std::abs(v.energy) > far_ * energy;
   }
 
   /// Where a table may begin: nearer particles have energy that nothing in the scene has to give.
@@ -250,6 +262,7 @@ class TableMaker {
     const std::size_t most = table_.spline ? most_splined : most_straight;
     for (std::size_t n = wish_.points;;) {
       sample(from, to, kinks, n);
+      if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) look_closely();
       if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) return;
       // The error goes with the second or fourth power of the spacing.
       const double finer = std::pow(std::min(std::max(table_.error, table_.inner_error) / wish_.error, 1e30),
@@ -278,20 +291,44 @@ class TableMaker {
     within.back() = r.back() * (1.0 - 2.0 * one);  // at a cutoff the law is another
     std::vector<LawOfDistance::Value> values = law_.at(within);
     keep(r, values);
-    const std::vector<double> energy = between(values, r, &LawOfDistance::Value::energy),
-                              force = between(values, r, &LawOfDistance::Value::force);
+    energy_ = curve(values, r, &LawOfDistance::Value::energy);
+    force_ = curve(values, r, &LawOfDistance::Value::force);
     table_.error = table_.inner_error = 0.0;
     table_.good_from = to;
-    for (std::size_t i = n - 1; i-- > 0;) {
-      const LawOfDistance::Value& v = values[2 * i + 1];
-      const double missed =
-          std::max(missing(energy[i], v.energy, table_.usual_energy), missing(force[i], v.force, table_.usual_force));
-      if (missed <= wish_.error && table_.inner_error == 0.0) {
-        table_.error = std::max(table_.error, missed);
-        table_.good_from = table_.r[i];
-      } else {
-        table_.inner_error = std::isfinite(missed) ? std::max(table_.inner_error, missed) : infinity;
-      }
+    for (std::size_t i = n - 1; i-- > 0;) hold_against(static_cast<double>(i) + 0.5, r[2 * i + 1], values[2 * i + 1]);
+  }
+
+  /// Between the points and their middles, where something narrow may be.
+  void look_closely() {
+    constexpr std::size_t places = std::size_t{1} << 16;
+    constexpr double golden = 0.6180339887498949;  // so that they are none of the table's own
+    const double low = over(table_.from()), high = over(table_.to()) * (1.0 - 2.0 * one);
+    const double pieces = static_cast<double>(table_.r.size() - 1);
+    std::vector<double> r, at;
+    for (std::size_t k = places; k-- > 0;) {
+      const double part = (static_cast<double>(k) + golden) / static_cast<double>(places);
+      at.push_back(part * pieces);
+      r.push_back(distance(low + part * (high - low)));
+    }
+    const std::vector<LawOfDistance::Value> values = law_.at(r);
+    for (std::size_t k = 0; k < places; k++) hold_against(at[k], r[k], values[k]);
+  }
+
+  /// At a place counted in points; from the last to the first.
+  void hold_against(double at, double r, const LawOfDistance::Value& v) {
+    const double push = force_.at(at) * (wish_.over == TableOver::square ? r : 1.0);
+    const double missed =
+        std::max(missing(energy_.at(at), v.energy, energy_size_), missing(push, v.force, force_size_));
+    const double begin = table_.r[static_cast<std::size_t>(at)];
+    if (missed <= wish_.error && (table_.inner_error == 0.0 || r > table_.good_from)) {
+      table_.error = std::max(table_.error, missed);
+      if (table_.inner_error == 0.0) table_.good_from = std::min(table_.good_from, begin);
+    } else if (missed > wish_.error) {
+      if (table_.inner_error == 0.0 || r > table_.good_from)
+        table_.good_from = table_.r[std::min(static_cast<std::size_t>(at) + 1, table_.r.size() - 1)];
+      table_.inner_error = std::isfinite(missed) ? std::max(table_.inner_error, missed) : infinity;
+    } else {
+      table_.inner_error = std::max(table_.inner_error, missed);
     }
   }
 
@@ -312,23 +349,29 @@ class TableMaker {
     table_.slope_to = values.back().slope;
   }
 
-  /// (points but one) what LAMMPS makes of the middles between the points.
-  std::vector<double> between(const std::vector<LawOfDistance::Value>& values, const std::vector<double>& r,
-                              double LawOfDistance::Value::*which) const {
+  /// What LAMMPS reads out of a column between its points.
+  struct Curve {
+    std::vector<double> y, bend;
+    double width = 0.0;
+    double at(double place) const {
+      const std::size_t i = std::min(static_cast<std::size_t>(place), y.size() - 2);
+      const double b = place - static_cast<double>(i), a = 1.0 - b;
+      return a * y[i] + b * y[i + 1] +
+             ((a * a * a - a) * bend[i] + (b * b * b - b) * bend[i + 1]) * width * width / 6.0;
+    }
+  };
+  Curve energy_, force_;  // of pairs force / r
+
+  Curve curve(const std::vector<LawOfDistance::Value>& values, const std::vector<double>& r,
+              double LawOfDistance::Value::*which) const {
     const bool over_r = which == &LawOfDistance::Value::force && wish_.over == TableOver::square;
     const std::size_t n = table_.r.size();
-    std::vector<double> y;
-    for (std::size_t i = 0; i < n; i++) y.push_back(values[2 * i].*which / (over_r ? table_.r[i] : 1.0));
-    const double width = (over(table_.to()) - over(table_.from())) / static_cast<double>(n - 1);
-    std::vector<double> bend(n, 0.0);
+    Curve made{{}, std::vector<double>(n, 0.0), (over(table_.to()) - over(table_.from())) / static_cast<double>(n - 1)};
+    for (std::size_t i = 0; i < n; i++) made.y.push_back(values[2 * i].*which / (over_r ? table_.r[i] : 1.0));
     if (table_.spline)
-      bend = bends(y, width, end_slope(values.front(), r.front(), which), end_slope(values.back(), r.back(), which));
-    std::vector<double> result;
-    for (std::size_t i = 0; i + 1 < n; i++) {
-      const double middle = 0.5 * (y[i] + y[i + 1]) - width * width / 16.0 * (bend[i] + bend[i + 1]);
-      result.push_back(middle * (over_r ? r[2 * i + 1] : 1.0));
-    }
-    return result;
+      made.bend = bends(made.y, made.width, end_slope(values.front(), r.front(), which),
+                        end_slope(values.back(), r.back(), which));
+    return made;
   }
 
   /// Derivative by what the table is even over.

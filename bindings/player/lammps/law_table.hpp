@@ -22,6 +22,7 @@ struct TableWish {
   double error =
       1e-6;  ///< of energy and force between its points, relative to the value there, or to the usual one now
              ///< where that is more
+  double kinetic = 0.0;      ///< [J] the largest of a particle now, which a pair may take up
   std::size_t points = 256;  ///< at least
   bool straight = false;     ///< by straight lines in any case
 };

@@ -72,6 +72,15 @@ void look_at_touch(Refusals& refusals) {
     if (world.families[id].solid) refusals.add("a solid family", describe(world, id), repel);
 }
 
+const char* const pushed = "give a velocity or a field in place of it, or save the state a step later (--save-at)";
+
+void look_at_pushes(Refusals& refusals) {
+  const World& world = refusals.world();
+  for (PointId id : world.points.ids())
+    if (!world.points[id].body && norm2(world.points[id].force) > 0.0)
+      refusals.add("a push that the next step takes", describe(world, id), pushed);
+}
+
 void look_at_bodies(Refusals& refusals) {
   const World& world = refusals.world();
   for (BodyId id : world.bodies.ids()) {
@@ -82,6 +91,17 @@ void look_at_bodies(Refusals& refusals) {
     for (PointId point : body.points)
       if (world.points[point].mass == 0.0)
         refusals.add("a point without mass", describe(world, point), "give it a mass, or leave it out");
+    const Vec3 inertia = world.motion_of(id).inertia;
+    const double most = largest(inertia);
+    for (int k = 0; k < 3; k++)
+      if (inertia[k] > 0.0 && inertia[k] < 1e-5 * most)
+        refusals.add("a body that is all but a line", describe(world, id),
+                     "LAMMPS takes a moment of inertia below 1e-7 of the largest for none: put its points on one line, "
+                     "or farther "
+                     "from it");
+    const Motion& motion = world.motion_of(id);
+    if (norm2(motion.force) + norm2(motion.torque) > 0.0)
+      refusals.add("a push that the next step takes", describe(world, id), pushed);
     if (body.points.size() > 1 && body.freedom == Freedom::point)
       refusals.add("a body all of whose points are at one position", describe(world, id), "make it a particle");
   }
@@ -192,6 +212,7 @@ std::vector<std::string> refused_by_lammps(const Scene& scene, double until) {
   look_at_ties(refusals);
   look_at_touch(refusals);
   look_at_bodies(refusals);
+  look_at_pushes(refusals);
   look_at_lives(refusals);
   look_at_events(scene, until, refusals);
   look_at_laws(refusals);

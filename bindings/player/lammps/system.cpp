@@ -78,6 +78,7 @@ class SystemMaker {
   LammpsSystem made_;
   std::vector<std::uint32_t> atom_of_;  // (slots of particles)
   std::optional<NearDistances> near_;
+  double kinetic_ = 0.0;  // [J] the largest of an atom
   std::map<const Law*, std::string> identities_;
   std::map<std::pair<std::string, Key>, std::size_t> pair_tables_;
   std::map<std::pair<std::string, Key>, BondKind> bond_kinds_;
@@ -112,6 +113,9 @@ class SystemMaker {
       made_.type_of.push_back(at->second);
       made_.types[static_cast<std::size_t>(at->second) - 1].count++;
     }
+    for (ParticleId id : made_.atoms)
+      kinetic_ =
+          std::max(kinetic_, 0.5 * world_.points[world_.particles[id].points[0]].mass * norm2(velocity(world_, id)));
     for (BodyId id : made_.bodies) made_.body_extent = std::max(made_.body_extent, extent(world_.bodies[id]));
   }
 
@@ -177,13 +181,13 @@ class SystemMaker {
     const auto [at, is_new] = pair_tables_.try_emplace({identity(row.law), key}, made_.pair_tables.size());
     if (!is_new) return at->second;
     require(made_.pair_tables.size() < most_pair_tables, place_of(row), ": it needs more than ", most_pair_tables,
-            " tables, one for each two kinds of particles; give", told_attributes(),
-            " fewer values, as by rounding them");
+            " tables, one for each two kinds of particles; round the values that it reads");
     LawOfDistance law(place_of(row), *row.law, row.parameters, value);
     TableWish wish;
     std::ranges::copy_if(near, std::back_inserter(wish.distances), [&](double r) { return r < 0.98 * cutoff; });
     if (wish.distances.empty()) wish.distances.push_back(0.9 * cutoff);
     wish.to = cutoff;
+    wish.kinetic = kinetic_;
     wish.error = made_.error;
     LawTable table = make_table(law, wish);
     made_.pair_tables.push_back({text("PAIR", made_.pair_tables.size() + 1), place_of(row), std::move(table),
@@ -339,6 +343,7 @@ class SystemMaker {
     TableWish wish{TableOver::distance, kind.lengths};
     wish.points = points;
     wish.straight = straight;
+    wish.kinetic = kinetic_;
     wish.error = made_.error;
     return make_table(law, wish);
   }
@@ -373,6 +378,23 @@ class SystemMaker {
 }  // namespace
 
 LammpsSystem lammps_system(const World& world, double error) { return SystemMaker(world, error).make(); }
+
+std::vector<Vec3> boxes_away(const World& world, const LammpsSystem& system) {
+  std::vector<Vec3> away(system.atoms.size(), zero3());
+  if (!world.settings.box) return away;
+  std::vector<std::int64_t> first(system.bodies.size() + 1, -1);
+  for (std::size_t i = 0; i < away.size(); i++) {
+    std::int64_t& leader = first[system.body_of[i]];
+    if (system.body_of[i] > 0 && leader >= 0) {
+      away[i] = away[static_cast<std::size_t>(leader)];
+      continue;
+    }
+    leader = static_cast<std::int64_t>(i);
+    const Vec3 x = position(world, system.atoms[i]), edge = *world.settings.box;
+    for (int k = 0; k < 3; k++) away[i][k] = edge[k] * std::floor(x[k] / edge[k]);
+  }
+  return away;
+}
 
 double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name) {
   if (name == "mass") return type.mass;

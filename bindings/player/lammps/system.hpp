@@ -82,6 +82,9 @@ struct LammpsSystem {
 /// What LAMMPS is given of the present state, with tables of a wanted error. Throws Error for what it cannot be given.
 LammpsSystem lammps_system(const World& world, double error);
 
+/// (atoms) how many edges of the periodic box it is away from the box [m], whole bodies by their first point; zero without one.
+std::vector<Vec3> boxes_away(const World& world, const LammpsSystem& system);
+
 /// The mass, or what a law reads of particles of a type.
 double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name);
 

@@ -9,7 +9,7 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::size_t most_fields = 30;
+constexpr std::size_t most_fields = 29;
 
 class FieldMaker {
  public:
@@ -50,7 +50,19 @@ class FieldMaker {
         bath.temperature = row.parameters[i] * world_.settings.boltzmann;
       if (row.law->parameters[i].name == "rate") bath.rate = row.parameters[i];
     }
+    constexpr double most =
+        0.2;  // of a step: beyond, fix langevin heats positions by a tenth and more, and then blows up
+    require(bath.rate * world_.settings.step <= most, place_of(row), ": a thermostat of rate ", bath.rate,
+            " /s is too quick for LAMMPS' steps of ", world_.settings.step, " s; give it a rate of ",
+            rounded(most / world_.settings.step), " /s or less, or a shorter scene.step");
     if (bath.rate > 0.0) system_.baths.push_back(bath);
+  }
+
+  /// LAMMPS lets atoms leave a periodic box by a little, and this program's fields see them in it at all times.
+  std::string coordinate(const char* name, int axis) const {
+    if (!world_.settings.box) return name;
+    const std::string edge = to_text((*world_.settings.box)[axis]);
+    return text('(', name, '-', edge, "*floor(", name, '/', edge, "))");
   }
 
   LammpsField field(const Field& row, const std::vector<int>& types) const {
@@ -58,7 +70,7 @@ class FieldMaker {
     const AtomType& type = system_.types[static_cast<std::size_t>(types[0]) - 1];
     const auto value_of = [&](const Input& input) -> std::string {
       constexpr const char* coordinates[] = {"x", "y", "z"};
-      if (input.role == Role::position) return coordinates[input.component];
+      if (input.role == Role::position) return coordinate(coordinates[input.component], input.component);
       double x = world_.time;
       if (input.role == Role::attribute) x = attribute_of(system_, type, input.name);
       for (std::size_t i = 0; input.role == Role::parameter && i < row.parameters.size(); i++)
