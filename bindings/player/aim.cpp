@@ -32,6 +32,14 @@ Camera aim(const Scene& scene, const Stage& stage, double aspect) {
   return camera;
 }
 
+Camera fit_to_size(const Camera& now, const Camera& aimed, double size_before, double size) {
+  Camera camera = now;
+  if (std::fabs(size - size_before) <= 0.1 * size_before) return camera;
+  camera.target = aimed.target;
+  camera.distance = aimed.distance;
+  return camera;
+}
+
 void Follower::choose(AnyId thing) {
   chosen_ = thing;
   last_.reset();

@@ -10,6 +10,9 @@ namespace pantin::player {
 /// The camera that a scene wishes for, or one that sees the whole stage; `aspect` is width/height.
 Camera aim(const Scene& scene, const Stage& stage, double aspect);
 
+/// A camera that looks as `now` does and sees what `aimed` does, where the scene's size is another by more than a tenth.
+Camera fit_to_size(const Camera& now, const Camera& aimed, double size_before, double size);
+
 /// Moves a camera to where the scene wishes it when that changes, and along with the thing that the scene wants it to
 /// follow, or that was chosen since.
 class Follower {

@@ -70,6 +70,7 @@ Browser::Browser(const std::string& shipped, std::string own, SceneOptions optio
 
 void Browser::show() {
   shown_ = appearing_ = true;
+  search_.clear();
   list();
   if (!portraits_) portraits_ = std::make_unique<Portraits>(options_, cache_folder());
 }

@@ -90,6 +90,21 @@ std::vector<SceneEntry> scenes_in(const fs::path& folder) {
   return scenes;
 }
 
+/// Scenes with one title get the name of their file behind it, and where that is the same the folder, too.
+void tell_apart(std::vector<SceneEntry>& scenes) {
+  std::map<std::string, int> titles, names;
+  for (const SceneEntry& scene : scenes) {
+    titles[scene.title]++;
+    names[scene.title + '\n' + scene.name]++;
+  }
+  for (SceneEntry& scene : scenes) {
+    if (titles[scene.title] < 2) continue;
+    const bool same_name = names[scene.title + '\n' + scene.name] > 1;
+    const std::string where = same_name ? fs::path(scene.path).parent_path().filename().string() + "/" : "";
+    scene.title += " (" + where + scene.name + ")";
+  }
+}
+
 }  // namespace
 
 std::vector<SceneEntry> list_scenes(const std::vector<std::string>& folders) {
@@ -101,6 +116,7 @@ std::vector<SceneEntry> list_scenes(const std::vector<std::string>& folders) {
     if (failed || !seen.insert(real).second) continue;
     for (SceneEntry& entry : scenes_in(real)) scenes.push_back(std::move(entry));
   }
+  tell_apart(scenes);
   return scenes;
 }
 

@@ -23,6 +23,14 @@ namespace {
 constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
 constexpr int smooth_samples = 4;
 constexpr std::chrono::seconds complaint_shown{8};
+constexpr std::size_t longest_message = 180;  // [letters] of which the log has the rest
+
+std::string short_message(const std::string& message) {
+  if (message.size() <= longest_message) return message;
+  const std::size_t end = message.rfind(' ', longest_message);
+  const std::string log = key_for(KeyUse::panel, pane_called("Log"));
+  return text(message.substr(0, end == std::string::npos ? longest_message : end), " …   (", log, ": all of it)");
+}
 
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
 
@@ -48,7 +56,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
   lasting_ = lasting_of(path_);
   scene_options_.saved = lasting_.values();
   adopt(load(path_, scene_options_));
-  camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
+  camera_ = own_camera();
   if (!options_.record.empty()) begin_recording();
 }
 
@@ -185,7 +193,7 @@ const Said* Player::complaint() const {
   return last != said_.rend() ? &*last : nullptr;
 }
 
-void Player::fill(Overlay& overlay) const {
+void Player::fill(Overlay& overlay) {
   overlay.message.clear();
   overlay.title.clear();
   overlay.help = {};
@@ -193,9 +201,9 @@ void Player::fill(Overlay& overlay) const {
   overlay.pace = scene_->pace() * speed_;
   overlay.views = views_;
   if (!failure_.empty())
-    overlay.message = failure_ + "   (r starts the scene again)";
+    overlay.message = short_message(failure_) + "   (r starts the scene again)";
   else if (const Said* const said = complaint())
-    overlay.message = said->times > 1 ? text(said->text, "   (", said->times, " times)") : said->text;
+    overlay.message = said->times > 1 ? text(said->text, "   (", said->times, " times)") : short_message(said->text);
   if (browser_.shown()) {
     overlay.status.clear();
     overlay.buttons.clear();
@@ -210,7 +218,16 @@ void Player::fill(Overlay& overlay) const {
   const auto* chosen = std::get_if<PointId>(&chosen_);
   overlay.highlight = hands_.highlight() || !chosen ? hands_.highlight() : *chosen;
   mark_hands(overlay);
-  status_.write(scene_->world(), pacing_, overlay.pace, paused_, overlay.status);
+  if (panels_.hidden()) {
+    overlay.status.clear();
+    overlay.title.clear();
+    overlay.buttons = scene_->buttons();
+    return;
+  }
+  edge_arrows_.mark({scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()},
+                    overlay.marks);
+  status_.write(scene_->world(), pacing_, {overlay.pace, paused_, panels_.shows("Solver") || views_.on(View::errors)},
+                overlay.status);
   if (scene_->finished()) overlay.status[1] = "finished";
   if (recorder_) overlay.status.push_back("recording");
   if (film_)

@@ -9,6 +9,7 @@
 #include "player/aim.hpp"
 #include "player/browser.hpp"
 #include "player/live_film.hpp"
+#include "player/lost_things.hpp"
 #include "player/open_window.hpp"
 #include "player/options.hpp"
 #include "player/pacing.hpp"
@@ -20,6 +21,7 @@
 #include "player/table.hpp"
 #include "player/undo.hpp"
 #include "scene/scene.hpp"
+#include "view/edge_arrows.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/speaker.hpp"
@@ -77,6 +79,7 @@ class Player {
   void take_keys();
   Actions take_hands(double elapsed);
   std::int32_t new_hand();
+  bool presses_in_scene() const;
   void begin_change(const std::string& name);
   void keep_for_undo(const std::string& act, const StepInput& before);
   void open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does);
@@ -91,6 +94,8 @@ class Player {
   void mark_hands(Overlay& overlay) const;
   void choose_followed();
   bool take_key(const std::string& name);
+  bool leave(bool step_by_step);
+  void bring_back();
   void choose();
   void swallow_keys();
   void wait_for(const std::atomic<bool>& done, const std::string& what);
@@ -104,6 +109,8 @@ class Player {
   void log(const std::string& what, bool good);
   void leave_browser();
   void restart();
+  /// As the scene wants to be seen.
+  Camera own_camera() const;
   void begin_recording();
   /// Of a stranger's scene nothing is kept.
   SavedFile lasting_of(const std::string& path) const;
@@ -130,7 +137,7 @@ class Player {
   void save_state();
   void save_scene();
   void open_state();
-  void fill(Overlay& overlay) const;
+  void fill(Overlay& overlay);
 
   std::string path_;
   RunOptions options_;
@@ -160,8 +167,11 @@ class Player {
   bool tried_ = false;                        ///< a hand did something since
   Clock::time_point tried_at_{};              ///< when first
   std::size_t log_read_ = 0;                  ///< lines of the world's log
-  StepInput waiting_;                         ///< what hands did since the last step
-  StepInput before_hands_;                    ///< the same before this frame
+  Clock::time_point asked_at_{};              ///< when it was last asked whether to quit
+  LostThings lost_;
+  EdgeArrows edge_arrows_;
+  StepInput waiting_;       ///< what hands did since the last step
+  StepInput before_hands_;  ///< the same before this frame
   Pacing pacing_;
   Status status_;
   Times times_;

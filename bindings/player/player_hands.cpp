@@ -24,10 +24,17 @@ Actions Player::take_hands(double elapsed) {
   Actions actions = hands_.apply(gestures_, frame);
   if (hands_.tool.kind != kind) tell_tool();
   for (const std::string& said : actions.said) tell(said);
-  if (!tried_ && !actions.acts.empty()) tried_at_ = Clock::now();
-  tried_ |= !actions.acts.empty();
+  const bool tries = !actions.acts.empty() || presses_in_scene();
+  if (!tried_ && tries) tried_at_ = Clock::now();
+  tried_ |= tries;
   if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before_hands_);
   return actions;
+}
+
+bool Player::presses_in_scene() const {
+  return !renderer_.pointer_on_panel() && std::ranges::any_of(gestures_.events, [](const PointerEvent& event) {
+    return event.kind == PointerEvent::Kind::press && event.button == PointerEvent::Button::left;
+  });
 }
 
 std::int32_t Player::new_hand() {
@@ -124,7 +131,10 @@ std::string Player::hint() const {
                 : now > adopted_ + hinted_for)
     return "";
   const std::set<std::string> taken = keys_of_scene();
-  std::string hint = is_second ? "to show it to somebody" : "drag a point, and throw it";
+  const Tool& tool = hands_.tool.tool();
+  std::string hint = is_second                            ? "to show it to somebody"
+                     : hands_.tool.kind == ToolKind::drag ? "drag a point, and throw it"
+                                                          : text(tool.name, ": ", tool.help);
   auto add = [&, between = is_second ? ": " : "; "](const char* key, const char* does) mutable {
     if (taken.contains(key)) return;
     hint += text(between, key, " ", does);
@@ -135,7 +145,8 @@ std::string Player::hint() const {
     add(key_for(KeyUse::film), "films what is seen");
     return hint;
   }
-  add(key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)), "cuts by a stroke");
+  if (hands_.tool.kind != ToolKind::cut)
+    add(key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)), "cuts by a stroke");
   add(key_for(KeyUse::pause), "pauses");
   add(key_for(KeyUse::slower), "slows");
   add(key_for(KeyUse::scenes), "shows all scenes");
@@ -144,12 +155,25 @@ std::string Player::hint() const {
 }
 
 void Player::draw_tools() {
+  if (panels_.hidden()) return;
+  lost_.look(scene_->world(), renderer_.stage(), {scene_->world().steps, changes_}, Clock::now());
+  if (lost_.draw(static_cast<float>(renderer_.height()))) bring_back();
   const std::string told = Clock::now() < told_at_ + told_for ? told_ : hint();
   const ToolKind kind = hands_.tool.kind;
   const PaletteWish wish = draw_palette(hands_.tool, undo_state(), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));
   if (hands_.tool.kind != kind) tell_tool();
   undo_wish_ = wish;
+}
+
+void Player::bring_back() {
+  const StepInput before = waiting_;
+  for (Command& command : lost_.bring_back(scene_->world(), renderer_.stage())) {
+    command.hand = hands_.mouse_hand();
+    waiting_.commands.push_back(command);
+  }
+  lost_.forget();
+  keep_for_undo("bring back", before);
 }
 
 void Player::mark_hands(Overlay& overlay) const {

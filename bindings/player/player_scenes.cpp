@@ -21,7 +21,8 @@ namespace {
 
 constexpr double quick_load = 0.04;  // [s] so long a scene may take to be opened in each frame
 constexpr std::size_t most_said = 200;
-constexpr std::chrono::seconds one_change{1};       // of a parameter, from value to value
+constexpr std::chrono::seconds one_change{1};  // of a parameter, from value to value
+constexpr std::chrono::seconds patience_of_question{4};
 constexpr std::chrono::milliseconds patience{300};  // before it is told that a scene is being opened
 
 }  // namespace
@@ -72,7 +73,9 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
     }
     fit_window();
     Overlay shown;
-    shown.message = "opening " + what + (stopped ? ": stopping it" : " …   (Esc stops it)");
+    shown.title =
+        text("opening ", what, ", ", std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start).count(),
+             " s", stopped ? ": stopping it" : "   (Esc stops it)");
     renderer_.draw(scene_->world(), camera_, shown);
     window_.present(renderer_);
   }
@@ -94,10 +97,15 @@ void Player::adopt(std::unique_ptr<Scene> fresh) {
   failure_.clear();
   pacing_ = {};
   chosen_ = {};
+  lost_.forget();
   tried_ = false;
   adopted_ = Clock::now();
   renderer_.open(scene_->world());
   window_.set_title(title() + " - Pantin");
+}
+
+Camera Player::own_camera() const {
+  return aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }
 
 void Player::restart() {
@@ -129,7 +137,7 @@ bool Player::open(const std::string& path) {
   speed_ = 1.0;
   for (const View view : {View::bodies, View::loads, View::shadows})
     if (options_.views.on(view)) views_.set(view, true);
-  camera_ = aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
+  camera_ = own_camera();
   return true;
 }
 
@@ -198,8 +206,10 @@ bool Player::set_parameter(const std::string& name, const SceneValue& value) {
   bool taken = true;
   try {
     if (!scene_->set_parameter(name, value)) {
+      const double size = renderer_.stage().size;
       adopt(load(path_, scene_options_));
       rebuilt_ = std::move(rebuilt);
+      camera_ = fit_to_size(camera_, own_camera(), size, renderer_.stage().size);
     }
   } catch (const std::exception& error) {
     taken = false;
@@ -227,26 +237,36 @@ bool Player::take_key(const std::string& name) {
   if (!key) return false;
   switch (key->use) {
     case KeyUse::scenes: browser_.show(); break;
-    case KeyUse::leave:
-      if (help_)
-        help_ = false;
-      else if (from_browser_)
-        browser_.show();
-      else
-        return false;
-      break;
+    case KeyUse::leave: return leave(name == "escape");
     case KeyUse::scene_before: open_neighbour(-1); break;
     case KeyUse::scene_next: open_neighbour(1); break;
     case KeyUse::slower: speed_ = std::max(0.5 * speed_, slowest); break;
     case KeyUse::faster: speed_ = std::min(2.0 * speed_, fastest); break;
     case KeyUse::own_pace: speed_ = 1.0; break;
     case KeyUse::panel: panels_.toggle(key->which); break;
-    case KeyUse::panels: panels_.hide(); break;
+    case KeyUse::panels:
+      panels_.hide();
+      if (panels_.hidden()) tell(text(key_for(KeyUse::panels), " shows panels and tools again"));
+      break;
+    case KeyUse::fullscreen: window_.toggle_fullscreen(); break;
+    case KeyUse::see_start: camera_ = own_camera(); break;
     case KeyUse::save_state: save_state(); break;
     case KeyUse::save_scene: save_scene(); break;
     case KeyUse::open_state: open_state(); break;
     default: return false;
   }
+  return true;
+}
+
+/// Esc first lets go of what hands hold, then closes what was opened, then asks. False where the program is to end.
+bool Player::leave(bool step_by_step) {
+  if (step_by_step && hands_.cancel(waiting_)) return true;
+  if (step_by_step && std::exchange(help_, false)) return true;
+  if (step_by_step && panels_.close_last()) return true;
+  if (from_browser_) return browser_.show(), true;
+  if (!step_by_step || Clock::now() < asked_at_ + patience_of_question) return false;
+  asked_at_ = Clock::now();
+  tell("Esc again quits");
   return true;
 }
 

@@ -113,6 +113,7 @@ bool ReplayWindow::take_key(const std::string& name) {
     case KeyUse::faster: change_speed(2.0); break;
     case KeyUse::own_pace: speed_ = 1.0; break;
     case KeyUse::help: help_ = !help_; break;
+    case KeyUse::fullscreen: window_.toggle_fullscreen(); break;
     case KeyUse::leave: return name == "escape" && std::exchange(help_, false);
     case KeyUse::see_all:
       see_all(replay_.scene().world(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height(),
@@ -222,7 +223,7 @@ Overlay ReplayWindow::overlay() {
   shown.title = title();
   write_marks_of(scene, shown.marks);
   mark_hands(shown);
-  status_.write(scene.world(), pacing_, shown.pace, paused_, shown.status);
+  status_.write(scene.world(), pacing_, {shown.pace, paused_, views_.on(View::errors)}, shown.status);
   if (at_end()) shown.status[1] = "the end of the recording";
   if (help_)
     shown.help = key_card(KeyPlace::replay);

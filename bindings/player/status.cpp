@@ -1,5 +1,6 @@
 #include "player/status.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,15 @@ class Line {
   std::size_t count_ = 0;
 };
 
+/// Of a time [s], with three digits and more where it is long.
+const char* three_digits(double time) {
+  const double t = std::fabs(time);
+  if (t >= 99.95) return "%.0f s";
+  if (t >= 9.995) return "%.1f s";
+  if (t >= 0.09995 || t == 0.0) return "%.2f s";
+  return "%.3g s";
+}
+
 }  // namespace
 
 void Status::frame(const World& world) {
@@ -49,20 +59,22 @@ void Status::note(std::string text) {
   note_until_ = Clock::now() + std::chrono::seconds(4);
 }
 
-void Status::write(const World& world, const Pacing& pacing, double pace, bool paused,
+void Status::write(const World& world, const Pacing& pacing, const Shown& shown,
                    std::vector<std::string>& parts) const {
   Line line(parts);
-  line.print("%.2f s", world.time);
-  if (paused)
+  line.print(three_digits(world.time), world.time);
+  if (shown.paused)
     line.add("paused");
   else if (pacing.slow_motion())
-    line.print("slow motion %.2g×", pace * pacing.speed());
+    line.print("slow motion %.2g×", shown.pace * pacing.speed());
   else
-    line.print("speed %.3g×", pace);
-  line.print("%.0f frames/s", rate_);
-  if (world.stats.solves > 0) line.print("Newton %.1f", newton_);
-  line.print("energy error %.1e", world.error.energy);
-  line.print("largest gap %.1e m", world.error.constraint);
+    line.print("speed %.3g×", shown.pace);
+  if (shown.solver) {
+    line.print("%.0f frames/s", rate_);
+    if (world.stats.solves > 0) line.print("Newton %.1f", newton_);
+    line.print("energy error %.1e", world.error.energy);
+    line.print("largest gap %.1e m", world.error.constraint);
+  }
   if (Clock::now() < note_until_) line.add(note_);
   line.end();
 }

@@ -17,8 +17,13 @@ class Status {
   void frame(const World& world);
   /// Shows a note for a few seconds.
   void note(std::string text);
+  struct Shown {
+    double pace = 1.0;  ///< simulated s per real s
+    bool paused = false;
+    bool solver = false;  ///< frames a second, iterations and errors, too
+  };
   /// Writes the parts of the line over those of the frame before.
-  void write(const World& world, const Pacing& pacing, double pace, bool paused, std::vector<std::string>& parts) const;
+  void write(const World& world, const Pacing& pacing, const Shown& shown, std::vector<std::string>& parts) const;
 
  private:
   Clock::time_point since_ = Clock::now();  ///< start of the present half second

@@ -24,9 +24,8 @@ void move_camera(const Gestures& gestures, const PointerEvent& event, bool on_pa
 namespace {
 
 Things that_play(const World& world, const Stage& stage) {
-  constexpr double far = 10.0;  // of the stage's size
   const Vec3 middle = 0.5 * (stage.lower + stage.upper);
-  const auto is_far = [&](Vec3 x) { return norm(x - middle) > far * stage.size; };
+  const auto is_far = [&](Vec3 x) { return norm(x - middle) > far_away * stage.size; };
   Things things = everything(world);
   std::erase_if(things.bodies, [&](BodyId body) { return is_far(world.motion_of(body).x); });
   std::erase_if(things.free_points, [&](PointId point) { return is_far(position(world, point)); });

@@ -32,10 +32,10 @@ struct Overlay {
   double pace = 1.0;  ///< simulated s per real s, for what is shown for a while
   Views views;
   std::vector<Mark> marks;
-  PointId highlight;                ///< ringed, when alive: what the pointer is over
-  std::vector<std::string> status;  ///< parts of the quiet line at the bottom
-  std::string message;              ///< above it, in warning colour: an error, "slow motion", …
-  std::string title;                ///< upper left
+  PointId highlight;                                          ///< ringed, when alive: what the pointer is over
+  std::vector<std::string> status;                            ///< parts of the quiet line at the bottom
+  std::string message;                                        ///< above the tools, in warning colour: an error
+  std::string title;                                          ///< upper left
   std::span<const std::pair<std::string, std::string>> help;  ///< {key, what it does}; shown as a card when not empty
   std::vector<std::string> buttons;  ///< names; `Renderer::pressed_button` tells which was pressed
   std::function<void()> windows;     ///< makes windows of Dear ImGui beside all that, or empty

@@ -24,6 +24,8 @@ MarkLook mark_look(bool dark) {
   return {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
 }
 
+constexpr float over_tools = 150.0f;  // [px] at scale 1: over the tools, their variants and what they say
+
 constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Tab},
                                                              {"left", ImGuiKey_LeftArrow},
                                                              {"right", ImGuiKey_RightArrow},
@@ -231,7 +233,7 @@ void Panel::status(const Overlay& overlay, float width, float height) {
   if (overlay.message.empty()) return;
   const float wrap = width - 4.0f * edge;
   const ImVec2 size = ImGui::CalcTextSize(overlay.message.c_str(), nullptr, false, wrap);
-  if (!overlay.status.empty()) y -= line;
+  if (overlay.windows && !overlay.status.empty()) y = height - over_tools * ImGui::GetFontSize() / 14.0f;
   const ImVec2 at = {edge, y + ImGui::GetFontSize() - size.y - 6.0f};
   const float pad = 7.0f;
   ImDrawList& front = *ImGui::GetForegroundDrawList();  // also over the browser

@@ -62,6 +62,17 @@ void PlayerInput::let_go(const World& world, StepInput& input) {
   }
 }
 
+bool PlayerInput::cancel(StepInput& input) {
+  std::vector<std::string> said, acts;
+  ToolOutput output{input, said, acts};
+  bool any = false;
+  for (auto& [pointer, hold] : holds_) {
+    any |= hold.use.active();
+    hold.use.cancel(output);
+  }
+  return any;
+}
+
 void PlayerInput::carry_over(const std::map<std::int32_t, std::int32_t>& hands,
                              const std::function<PointId(PointId)>& counterpart) {
   for (auto& [pointer, hold] : holds_) {

@@ -51,11 +51,15 @@ class PlayerInput {
   void reset();
   /// The world was put back to an earlier state: its hands let go, and what was begun is not finished.
   void let_go(const World& world, StepInput& input);
+  /// All hands stop what they do; false where none did anything.
+  bool cancel(StepInput& input);
   /// The world goes on in another: its hands have other numbers, and what is held is another point, or null.
   void carry_over(const std::map<std::int32_t, std::int32_t>& hands,
                   const std::function<PointId(PointId)>& counterpart);
   /// What the mouse holds or could take hold of, or null.
   PointId highlight() const { return highlight_; }
+  /// Number of the mouse's hand, which is made where there is none yet.
+  std::int32_t mouse_hand() { return hold_of(0).hand; }
   /// Marks of all hands, for the overlay.
   void add_marks(const Gestures& gestures, const Viewport& viewport, bool on_panel, std::vector<Mark>& marks) const;
 

@@ -14,6 +14,9 @@ struct Stage {
   bool empty = true;     ///< nothing was there yet
 };
 
+/// Of the stage's size: what is farther from its middle plays no more.
+inline constexpr double far_away = 10.0;
+
 Stage find_stage(const World& world);
 /// A camera that sees the whole stage; `aspect` is width/height.
 Camera first_camera(const Stage& stage, double aspect);

@@ -116,6 +116,11 @@ int Window::height() const { return parts_->height; }
 double Window::scale() const {
   return parts_->width > 0 && parts_->pixels_wide > 0 ? static_cast<double>(parts_->pixels_wide) / parts_->width : 1.0;
 }
+void Window::toggle_fullscreen() {
+  const bool full = (SDL_GetWindowFlags(parts_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+  SDL_SetWindowFullscreen(parts_->window, full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
 void Window::set_title(const std::string& title) { SDL_SetWindowTitle(parts_->window, title.c_str()); }
 
 bool Window::software() const {

@@ -40,6 +40,8 @@ class Window {
   /// Copies the renderer's picture to the window and shows it.
   void present(Renderer& renderer);
   void set_title(const std::string& title);
+  /// Fills the screen, or is as it was.
+  void toggle_fullscreen();
   int width() const;   ///< [px] as of a display of ordinary density
   int height() const;  ///< [px]
   /// Pixels in each px: 2 or so on a dense display.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "choreography/bring_back.hpp"
 #include "choreography/build_by_hand.hpp"
 #include "choreography/copy_by_hand.hpp"
 #include "choreography/hands.hpp"
@@ -118,6 +119,7 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::tie: return tie_by_hand(world, c);
     case Command::Kind::drive: return drive_by_hand(world, c);
     case Command::Kind::control: return control(world, c);
+    case Command::Kind::bring: return bring_back(world, c);
   }
 }
 

@@ -39,16 +39,17 @@ struct Command {
     heat,
     tie,
     drive,
-    control
+    control,
+    bring
   };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
-  PointId point;  ///< grab, nail, push, spin (its body), tie: the first; make: what the first end is hinged to
+  PointId point;  ///< grab, nail, push, spin (its body), bring, tie: the first; make: what the first end is hinged to
   PointId other;  ///< join, tie: the second; make: what the last end is hinged to
   AnyId thing;  ///< cut: a hinge, connection or constraint; remove: anything; else the body meant where `point` is null
   AnyId other_thing;  ///< join, tie, make: the body meant where `other` is null
   Vec3 position =
-      zero3();  ///< [m] make: of what is made; heat: the middle of the ball that is heated; else on the body
+      zero3();  ///< [m] make: of what is made; bring: where to, the middle of its box; heat: the middle of the ball that is heated; else on the body
   Vec3 amount =
       zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's; drive: its motor's; make: half the edges
                 ///< of a box [m], a wheel's axle, half its thickness long [m]; world axes
@@ -66,9 +67,9 @@ struct Command {
 };
 
 /// (kinds) as recordings and the log call them
-inline constexpr std::array<std::string_view, 15> command_names = {"grab", "release", "cut",  "key",   "button",
-                                                                   "join", "nail",    "push", "spin",  "remove",
-                                                                   "make", "heat",    "tie",  "drive", "control"};
+inline constexpr std::array<std::string_view, 16> command_names = {
+    "grab", "release", "cut",  "key",  "button", "join",  "nail",    "push",
+    "spin", "remove",  "make", "heat", "tie",    "drive", "control", "bring"};
 inline std::string_view name_of(Command::Kind kind) { return command_names[static_cast<std::size_t>(kind)]; }
 
 /// Whether only a step can carry it out: hands pull in steps, and scripts hear of keys in them. All else may be done between two.

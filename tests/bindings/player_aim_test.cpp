@@ -125,3 +125,16 @@ TEST_CASE("aim: what is followed with ease comes to the middle") {
   for (int i = 0; i < 40; i++) move(follower, *scene, 0.1, camera);
   CHECK(distance(camera.target, vec(7, 0, 0)) < 1e-6);
 }
+
+TEST_CASE("aim: a scene that a parameter made larger is seen whole, from the side that one looked from") {
+  Camera now, aimed;
+  now.yaw = 1.0;
+  now.distance = 3.0;
+  aimed.target = vec(0, 5, 0);
+  aimed.distance = 30.0;
+  CHECK(fit_to_size(now, aimed, 1.0, 1.05).distance == 3.0);
+  const Camera fitted = fit_to_size(now, aimed, 1.0, 10.0);
+  CHECK(fitted.distance == 30.0);
+  CHECK(fitted.target[1] == 5.0);
+  CHECK(fitted.yaw == 1.0);
+}

@@ -10,15 +10,15 @@ using Catch::VectorContains;
 namespace {
 
 std::vector<std::string> parts_of(const Status& status, const World& world, const Pacing& pacing, double pace,
-                                  bool paused) {
+                                  bool paused, bool solver = false) {
   std::vector<std::string> parts;
-  status.write(world, pacing, pace, paused, parts);
+  status.write(world, pacing, {pace, paused, solver}, parts);
   return parts;
 }
 
 }  // namespace
 
-TEST_CASE("status: time, speed, error and gap") {
+TEST_CASE("status: time with three digits and speed; errors on demand") {
   World world;
   world.time = 3.456;
   world.error.energy = 1.25e-12;
@@ -28,10 +28,16 @@ TEST_CASE("status: time, speed, error and gap") {
   std::vector<std::string> parts = parts_of(status, world, pacing, 0.5, false);
   CHECK_THAT(parts, VectorContains(std::string("3.46 s")));
   CHECK_THAT(parts, VectorContains(std::string("speed 0.5×")));
+  CHECK(parts.size() == 2);
+  parts = parts_of(status, world, pacing, 0.5, false, true);
   CHECK_THAT(parts, VectorContains(std::string("energy error 1.2e-12")) ||
                         VectorContains(std::string("energy error 1.3e-12")));
   CHECK_THAT(parts, VectorContains(std::string("largest gap 3.0e-15 m")));
   CHECK_THAT(parts_of(status, world, pacing, 1.0, true), VectorContains(std::string("paused")));
+  for (const auto& [time, told] : {std::pair(12.34, "12.3 s"), {1234.5, "1234 s"}, {3.21e-6, "3.21e-06 s"}}) {
+    world.time = time;
+    CHECK(parts_of(status, world, pacing, 1.0, false)[0] == told);
+  }
 }
 
 TEST_CASE("status: slow motion says how slow, at the scene's pace") {

@@ -143,6 +143,19 @@ TEST_CASE("browser: scenes are in the order of the folder's list, then by name, 
   CHECK(at == std::vector{6.5, 2.0, 2.0, 2.0});
 }
 
+TEST_CASE("browser: two scenes with one title are told apart", "[window]") {
+  support::Folder folder;
+  std::filesystem::create_directory(folder / "copies");
+  for (const char* path : {"a.lua", "b.lua", "copies/a.lua", "c.lua"})
+    support::write_file(folder / path,
+                        std::string("scene.title = '") + (path[0] == 'c' && path[1] == '.' ? "Other" : "Swing") + "'");
+  std::string titles;
+  for (const player::SceneEntry& scene : player::list_scenes({folder.path, folder / "copies"}))
+    titles += scene.title + "; ";
+  const std::string name = std::filesystem::path(folder.path).filename().string();
+  CHECK(titles == "Swing (" + name + "/a); Swing (b); Other; Swing (copies/a); ");
+}
+
 TEST_CASE("opening: Esc stops a scene that does not come to its end, and the old one goes on", "[window]") {
   Played played("scene.title = 'Old' scene:particle { at = vec(0, 0, 0) }", 0.0);
   support::write_file(played.folder / "endless.lua", "while true do end");

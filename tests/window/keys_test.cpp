@@ -62,6 +62,8 @@ TEST_CASE("keys: the scene has those that it names, the window its own, and the 
   CHECK(played.player->scene().keys() == std::vector<std::string>{"escape"});
   CHECK(std::get<std::string>(played.player->scene().results().at("heard")) == "b j ");
   pushed::tap(SDLK_ESCAPE);
+  played.frames(2);
+  pushed::tap(SDLK_ESCAPE);
   bool over = false;
   for (int i = 0; i < 3 && !over; i++) over = !played.player->frame();
   CHECK(over);

@@ -1,4 +1,7 @@
 // What a frame of the window asks for: nothing, once it was drawn.
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include <catch2/catch.hpp>
 #include <ctime>
 
@@ -75,4 +78,72 @@ TEST_CASE("a frame of the browser asks for no memory, once its pictures are ther
   for (double last = start; now() - last < 3.0 && now() - start < 60.0;)
     if (asked_in(played, 5) > 0) last = now();
   CHECK(asked_in(played, 10) == 0);
+}
+
+TEST_CASE("what fell out is brought back by a button, and that is undone", "[window]") {
+  Played played(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
+    scene:box { size = vec(1, 1, 1), mass = 1, at = vec(-1, 0, 0) }
+    local lost = scene:box { size = vec(1, 1, 1), mass = 1, at = vec(1, 0, 0) }
+    scene:at(0.01, function() lost.position = vec(0, -1000, 0) end)
+    scene:probe("height", function() return lost.position.y end)
+  )");
+  const auto height = [&] { return played.world().motion_of(played.world().bodies.ids()[1]).x[1]; };
+  for (int i = 0; i < 500 && height() > -1.0; i++) played.frames(1);
+  REQUIRE(height() == Approx(-1000.0));
+  const ImGuiWindow* button = nullptr;
+  for (int i = 0; i < 200 && !(button && button->Active); i++) {
+    played.frames(1);
+    button = ImGui::FindWindowByName("lost");
+  }
+  REQUIRE(button);
+  played.frames(2);
+  played.click(button->Pos.x + 0.8f * button->Size.x, button->Pos.y + 0.5f * button->Size.y);
+  played.frames(5);
+  CHECK(height() > 0.0);
+  played.player->undo();
+  CHECK(height() == Approx(-1000.0));
+}
+
+TEST_CASE("Esc lets go of what is held, closes what was opened, and asks before it quits", "[window]") {
+  Played played(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
+    scene:particle { at = vec(0, 0, 0), mass = 1 }
+  )");
+  const auto escape = [&] {
+    pushed::tap(SDLK_ESCAPE);
+    return played.player->frame() && played.player->frame();
+  };
+  pushed::move(480, 270);
+  played.frames(2);
+  pushed::button(true, 480, 270);
+  played.frames(3);
+  REQUIRE(played.world().hands.at(0).grab);
+  pushed::tap(SDLK_F5);
+  pushed::tap(SDLK_h);
+  played.frames(2);
+  CHECK(escape());
+  played.frames(3);
+  CHECK_FALSE(played.world().hands.at(0).grab);
+  CHECK(escape());  // the card of keys
+  CHECK(ImGui::FindWindowByName("Solver")->Active);
+  CHECK(escape());
+  played.frames(1);
+  CHECK_FALSE(ImGui::FindWindowByName("Solver")->Active);
+  CHECK(escape());  // asks
+  CHECK_FALSE(escape());
+}
+
+TEST_CASE("Tab leaves the scene alone in the window", "[window]") {
+  Played played("scene:particle { at = vec(0, 0, 0), mass = 1 }");
+  CHECK(ImGui::FindWindowByName("tools")->Active);
+  pushed::tap(SDLK_TAB);
+  played.frames(2);
+  CHECK_FALSE(ImGui::FindWindowByName("tools")->Active);
+  CHECK_FALSE(ImGui::FindWindowByName("bar")->Active);
+  pushed::tap(SDLK_TAB);
+  played.frames(2);
+  CHECK(ImGui::FindWindowByName("bar")->Active);
 }

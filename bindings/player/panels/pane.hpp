@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string_view>
 
 #include "player/panels/desk.hpp"
 
@@ -51,5 +52,12 @@ inline constexpr PaneKind pane_kinds[] = {
     {"Log", "what happened and what went wrong", 460.0f, false, false, make_log_pane},
     {"Thing", "the thing that you clicked, field by field, to be edited", 380.0f, false, false, make_inspector_pane},
 };
+
+/// Which panel has a title.
+constexpr std::size_t pane_called(std::string_view title) {
+  std::size_t i = 0;
+  while (pane_kinds[i].title != title) i++;
+  return i;
+}
 
 }  // namespace pantin::player

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <tuple>
+#include <utility>
 
 #include "player/panels/icons.hpp"
 #include "view/keys.hpp"
@@ -58,6 +59,22 @@ void Panels::toggle(std::size_t which) {
   Slot& slot = slots_.at(which);
   slot.open = hidden_ || !slot.open;
   hidden_ = false;
+  std::erase(opened_, which);
+  if (slot.open) opened_.push_back(which);
+}
+
+bool Panels::shows(std::string_view title) const {
+  return !hidden_ &&
+         std::ranges::any_of(slots_, [&](const Slot& slot) { return slot.open && title == slot.kind->title; });
+}
+
+bool Panels::close_last() {
+  while (!hidden_ && !opened_.empty()) {
+    Slot& slot = slots_[opened_.back()];
+    opened_.pop_back();
+    if (std::exchange(slot.open, false)) return true;
+  }
+  return false;
 }
 
 void Panels::hide() { hidden_ = !hidden_; }
@@ -77,8 +94,8 @@ void Panels::show(const std::string& title) {
 }
 
 void Panels::draw(Desk& desk) {
-  draw_bar(desk);
   if (hidden_) return;
+  draw_bar(desk);
   shown_.clear();
   for (Slot& slot : slots_) {
     if (!slot.open) continue;

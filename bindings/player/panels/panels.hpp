@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "player/panels/layout.hpp"
@@ -18,6 +19,11 @@ class Panels {
   /// Shows or hides a panel, or all that are shown.
   void toggle(std::size_t which);
   void hide();
+  bool hidden() const { return hidden_; }  ///< the bar, too
+  /// Whether a panel is seen, by its title.
+  bool shows(std::string_view title) const;
+  /// Closes the panel that was opened last and is still open; false where nobody opened one.
+  bool close_last();
   /// Another scene was opened.
   void reset();
   /// Shows a panel by its title.
@@ -40,7 +46,8 @@ class Panels {
   std::vector<Slot*> shown_, put_;  ///< in this frame, and those of them that no hand moved
   std::vector<Tile> tiles_;         ///< (put_)
   Layout layout_;
-  bool hidden_ = false;  ///< all, but for the bar
+  std::vector<std::size_t> opened_;  ///< by a person, in that order
+  bool hidden_ = false;
 };
 
 }  // namespace pantin::player
