@@ -145,11 +145,12 @@ void Browser::draw_head(float width) {
   ImGui::SameLine(0.0f, 24.0f * scale());
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3.0f * scale());
   ImGui::SetNextItemWidth(std::min(320.0f * scale(), 0.5f * width));
-  if (std::exchange(appearing_, false)) ImGui::SetKeyboardFocusHere();
+  const bool appears = std::exchange(appearing_, false);
+  if (appears) ImGui::SetKeyboardFocusHere();
   const bool was_empty = search_.empty();
   ImGui::InputTextWithHint("##search", "search", &search_,
                            ImGuiInputTextFlags_AutoSelectAll);  // a new word replaces it
-  if (pressed(ImGuiKey_Escape)) {
+  if (!appears && pressed(ImGuiKey_Escape)) {                   // the Esc that led here is none to leave by
     left_ = was_empty;
     search_.clear();
     appearing_ = true;  // the field wants the keys again

@@ -44,6 +44,16 @@ Things joined_to(const World& world, BodyId body) {
   return points.empty() ? Things{{body}, {}} : tied_to(world, points[0], true);
 }
 
+/// Asks for no memory.
+template <class IsFar>
+bool any_far(const World& world, IsFar is_far) {
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+    if (world.bodies.alive_at(s) && is_far(world.motion[s].x)) return true;
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body && is_far(world.free_motion[s].x)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<Things> fallen_out(const World& world, Vec3 middle, double distance, std::size_t most) {
@@ -51,6 +61,7 @@ std::vector<Things> fallen_out(const World& world, Vec3 middle, double distance,
   const auto body_is_far = [&](BodyId id) { return is_far(world.motion_of(id).x); };
   const auto point_is_far = [&](PointId id) { return is_far(position(world, id)); };
   std::vector<Things> found;
+  if (!any_far(world, is_far)) return found;
   std::unordered_set<BodyId> seen_bodies;
   std::unordered_set<PointId> seen_points;
   const auto take = [&](Things things) {

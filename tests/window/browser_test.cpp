@@ -143,6 +143,16 @@ TEST_CASE("browser: scenes are in the order of the folder's list, then by name, 
   CHECK(at == std::vector{6.5, 2.0, 2.0, 2.0});
 }
 
+TEST_CASE("browser: Esc leads from a scene that a click opened back to it", "[window]") {
+  Played played("");
+  played.click(150, 200);
+  played.frames(3);
+  REQUIRE_FALSE(played.player->browsing());
+  pushed::tap(SDLK_ESCAPE);
+  played.frames(3);
+  CHECK(played.player->browsing());
+}
+
 TEST_CASE("browser: two scenes with one title are told apart", "[window]") {
   support::Folder folder;
   std::filesystem::create_directory(folder / "copies");
