@@ -24,16 +24,11 @@ Table table_of_numbers(const std::map<std::string, double>& numbers) {
 }
 
 Table errors(const World& world) {
-  const Accuracy now = accuracy(world);
-  const Accuracy& worst = world.worst;
-  return {{"penetration", now.penetration},
-          {"hinge_gap", now.hinge_gap},
-          {"constraint", now.constraint},
-          {"energy", now.energy},
-          {"worst_penetration", std::fmax(worst.penetration, now.penetration)},
-          {"worst_hinge_gap", std::fmax(worst.hinge_gap, now.hinge_gap)},
-          {"worst_constraint", std::fmax(worst.constraint, now.constraint)},
-          {"worst_energy", std::fmax(worst.energy, now.energy)}};
+  const Accuracy now = accuracy(world), worst = worst_accuracy(world);
+  return {{"penetration", now.penetration},         {"hinge_gap", now.hinge_gap},
+          {"constraint", now.constraint},           {"energy", now.energy},
+          {"worst_penetration", worst.penetration}, {"worst_hinge_gap", worst.hinge_gap},
+          {"worst_constraint", worst.constraint},   {"worst_energy", worst.energy}};
 }
 
 Table ledger(const World& world) {
@@ -178,6 +173,16 @@ std::vector<Property> measures() {
 }
 
 }  // namespace
+
+Accuracy worst_accuracy(const World& world) {
+  const Accuracy now = accuracy(world);
+  Accuracy worst = world.worst;
+  worst.penetration = std::fmax(worst.penetration, now.penetration);
+  worst.hinge_gap = std::fmax(worst.hinge_gap, now.hinge_gap);
+  worst.constraint = std::fmax(worst.constraint, now.constraint);
+  worst.energy = std::fmax(worst.energy, now.energy);
+  return worst;
+}
 
 Table table_of(const Energy& energy) {
   return {{"kinetic", energy.kinetic}, {"potential", energy.potential}, {"total", energy.total()}};

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "choreography/choreography.hpp"
+#include "fields/measures.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "measure/measure.hpp"
@@ -31,7 +32,7 @@ std::string suspects(const World& world) {
 }  // namespace
 
 std::optional<std::string> energy_gone_wrong(const World& world) {
-  if (world.worst.energy <= 0.1) return {};
+  if (fields::worst_accuracy(world).energy <= 0.1) return {};
   return "the energy went wrong by more than a tenth of what the scene exchanges";
 }
 
@@ -60,10 +61,10 @@ void print_closing(const Scene& scene, const std::string& path, double seconds) 
   std::snprintf(line, sizeof line, ": %.6g s in %llu steps, %.2g s of wall time\n", world.time,
                 static_cast<unsigned long long>(world.steps), seconds);
   told << scene_name(path) << line;
+  const Accuracy now = accuracy(world), worst = fields::worst_accuracy(world);
   std::snprintf(line, sizeof line,
-                "  energy error %.2g (worst %.2g)   largest gap %.2g m (worst %.2g m)   hash %016llx\n",
-                world.error.energy, world.worst.energy, world.error.constraint, world.worst.constraint,
-                static_cast<unsigned long long>(state_hash(world)));
+                "  energy error %.2g (worst %.2g)   largest gap %.2g m (worst %.2g m)   hash %016llx\n", now.energy,
+                worst.energy, now.constraint, worst.constraint, static_cast<unsigned long long>(state_hash(world)));
   told << line;
   if (world.stats.fallback_steps > 0)
     told << text("  ", world.stats.fallback_steps,

@@ -70,10 +70,7 @@ std::string summary(const Scene& scene, const std::string& failure) {
   result["steps"] = world.steps;
   result["hash"] = hex_text(state_hash(world));
   result["energy"] = property(world, "energy");
-  result["error"] = {{"penetration", world.error.penetration},       {"hinge_gap", world.error.hinge_gap},
-                     {"constraint", world.error.constraint},         {"energy", world.error.energy},
-                     {"worst_penetration", world.worst.penetration}, {"worst_hinge_gap", world.worst.hinge_gap},
-                     {"worst_constraint", world.worst.constraint},   {"worst_energy", world.worst.energy}};
+  result["error"] = property(world, "error");
   if (const DeepestOverlap& deepest = world.contacts.deepest; deepest.part > 0.0)
     result["deepest_overlap"] = {{"depth", deepest.depth},
                                  {"part", deepest.part},

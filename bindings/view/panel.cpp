@@ -261,7 +261,7 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   for (const auto& row : overlay.help) keys = std::max(keys, ImGui::CalcTextSize(row.first.c_str()).x);
   const float wrap = std::max(0.5f * (width - between - 6.0f * edge) - keys - 3.0f * edge, 8.0f * edge);
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width - edge, height - edge});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width - edge, height - 0.5f * edge});
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3.0f, 0.0f});
   ImGui::Begin("keys", nullptr, quiet_window & ~ImGuiWindowFlags_NoScrollbar);
   const auto middle = overlay.help.begin() + static_cast<std::ptrdiff_t>(overlay.help.size() / 2);

@@ -3,7 +3,8 @@
 #include <exception>
 #include <pantin/lua.hpp>
 
-int main(int, char** arguments) try {
+int main(int count, char** arguments) try {
+  if (count != 3) return std::puts("usage: open SCENE.lua SHARE, as: open chain.lua /usr/share/pantin"), 2;
   pantin::SceneOptions options;
   options.home = arguments[2];  // share/pantin: what scenes share
   options.set["links"] = "7";
@@ -13,6 +14,6 @@ int main(int, char** arguments) try {
   std::printf("%s: %zu bodies, energy %.6f J\n", scene->title().c_str(), world.bodies.ids().size(),
               pantin::energy(world).total());
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());  // begins with the script's file and line
+  std::fprintf(stderr, "%s\n", error.what());  // of a script's error, its file and line first
   return 1;
 }

@@ -207,7 +207,7 @@ TEST_CASE("lammps: names of a scene are no lines of LAMMPS' scripts") {
   )")
               .code == 0);
   for (const char* name : {"in.scene", "scene.data", "pair.table", "laws.tables"}) {
-    std::istringstream lines(read_file(folder / "files" / name));
+    std::istringstream lines(read_file(folder / (std::string("files/") + name)));
     for (std::string line; std::getline(lines, line);) {
       INFO(name << ": " << line);
       CHECK((line.find("shell") == line.npos || line.find('#') < line.find("shell")));
@@ -236,16 +236,16 @@ TEST_CASE("lammps: what it would do otherwise than this program is refused") {
 
 TEST_CASE("lammps: a law's narrow barrier is in its table, or is told to be too narrow") {
   const Folder folder;
-  const auto pair = [](const char* width) {
+  const auto pair = [](const char* at, const char* width) {
     return std::string(R"(
       scene.gravity, scene.box = vec(0, 0, 0), vec(40, 40, 40)
       local f = scene:family "f"
       for i = 1, 2 do scene:particle { at = vec(4 + 4 * i, 0, 0), velocity = vec(3 - 2 * i, 0, 0), family = f } end
       scene:interact(f, f, force.pair { cutoff = 10, potential = function(r)
-        return 0.2 * math.exp(-r * r / 8) - 0.2 * math.exp(-12.5) + 5 * math.exp(-((r - 1.5) / )") +
-           width + R"() ^ 2) end }))";
+        return 0.2 * math.exp(-r * r / 8) - 0.2 * math.exp(-12.5) + 5 * math.exp(-((r - )") +
+           at + ") / " + width + R"() ^ 2) end }))";
   };
-  REQUIRE(export_scene(folder, pair("0.006")).code == 0);
+  REQUIRE(export_scene(folder, pair("1.5", "0.006")).code == 0);
   std::istringstream table(read_file(folder / "files/pair.table"));
   double highest = 0.0;
   for (std::string line; std::getline(table, line);) {
@@ -253,7 +253,7 @@ TEST_CASE("lammps: a law's narrow barrier is in its table, or is told to be too 
     if (std::istringstream(line) >> number >> r >> energy && r > 1.4 && r < 1.6) highest = std::fmax(highest, energy);
   }
   CHECK(highest == Approx(5.15).epsilon(0.01));
-  CHECK_THAT(export_scene(folder, pair("0.0002")).err, Contains("something narrow"));
+  CHECK_THAT(export_scene(folder, pair("3.2", "0.0002")).err, Contains("something narrow"));
 }
 
 TEST_CASE("lammps: wrong use is told before anything runs") {

@@ -300,15 +300,15 @@ class TableMaker {
 
   /// Between the points and their middles, where something narrow may be.
   void look_closely() {
-    constexpr std::size_t places = std::size_t{1} << 16;
+    constexpr std::size_t places = std::size_t{1} << 17;
     constexpr double golden = 0.6180339887498949;  // so that they are none of the table's own
-    const double low = over(table_.from()), high = over(table_.to()) * (1.0 - 2.0 * one);
+    const double low = over(table_.from()), high = over(table_.to());
     const double pieces = static_cast<double>(table_.r.size() - 1);
     std::vector<double> r, at;
     for (std::size_t k = places; k-- > 0;) {
       const double part = (static_cast<double>(k) + golden) / static_cast<double>(places);
-      at.push_back(part * pieces);
-      r.push_back(distance(low + part * (high - low)));
+      r.push_back(table_.from() + part * (table_.to() * (1.0 - 2.0 * one) - table_.from()));
+      at.push_back((over(r.back()) - low) / (high - low) * pieces);
     }
     const std::vector<LawOfDistance::Value> values = law_.at(r);
     for (std::size_t k = 0; k < places; k++) hold_against(at[k], r[k], values[k]);

@@ -60,6 +60,10 @@ std::uint64_t Best::count(const std::vector<Axis>& axes, std::uint64_t sample) {
       throw UsageError(text(axis.name,
                             " has a list of values, and --best and --least search ranges FROM:TO alone: set "
                             "one of them, or run a sweep for each"));
+    if (is_searched(axis) && axis.count > 0)
+      throw UsageError(text("the range of ", axis.name,
+                            " has a count, and a search chooses by itself where to look: --set ", axis.name, "=",
+                            axis.from, ":", axis.to));
     if (is_searched(axis) && axis.from == axis.to)
       throw UsageError(text("the range of ", axis.name, " has equal ends: --set ", axis.name, "=", axis.from));
   }

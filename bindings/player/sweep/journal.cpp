@@ -103,6 +103,10 @@ void Journal::read(const std::string& sweep, bool retry) {
           text(path_, ":", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
     };
     if (text_.size() < 17 || hash_text(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
+    if (line == 1 && text_.substr(17) != sweep && retry)
+      throw UsageError(text(path_,
+                            ": what failed there is of another sweep, or its scene was changed since; without "
+                            "--retry-failed all cases are run anew"));
     if (line == 1 && text_.substr(17) != sweep)
       refuse("what is begun here is another sweep, or its scene was changed since");
     if (line > 1 && text_.substr(17) != finished) read_row(text_.substr(17));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "fields/measures.hpp"
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "player/csv.hpp"
@@ -51,12 +52,13 @@ void tell_scene(CaseRow& row, const Scene& scene) {
   for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, result_cell(value));
   for (const Probe& probe : world.probes) tell_probe(row.told, probe);
   const Stats& stats = world.stats;
+  const Accuracy worst = fields::worst_accuracy(world);
   row.measured = {{"time", number_text(world.time)},
                   {"steps", std::to_string(world.steps)},
-                  {"hinge_gap", number_text(world.worst.hinge_gap)},
-                  {"constraint", number_text(world.worst.constraint)},
-                  {"penetration", number_text(world.worst.penetration)},
-                  {"energy_error", number_text(world.worst.energy)},
+                  {"hinge_gap", number_text(worst.hinge_gap)},
+                  {"constraint", number_text(worst.constraint)},
+                  {"penetration", number_text(worst.penetration)},
+                  {"energy_error", number_text(worst.energy)},
                   {"iterations", std::to_string(stats.newton_iterations + stats.contact_iterations)},
                   {"halved_steps", std::to_string(stats.halved_steps)},
                   {"fallback_steps", std::to_string(stats.fallback_steps)},
