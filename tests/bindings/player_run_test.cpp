@@ -37,6 +37,25 @@ scene:field(scene, force.point { force = function(p, own, t) return vec(where(t 
   }
 }
 
+TEST_CASE("program: a run's errors are those of its last step, also where laws tell their energy now and then") {
+  Folder folder;
+  write_file(folder / "melt.lua", R"(
+scene.step, scene.gravity = 0.004, vec(0, 0, 0)
+local atoms = scene:family("atoms")
+for i = 0, 999 do
+  scene:particle { at = 1.2 * vec(i % 10, i // 10 % 10, i // 100), velocity = vec(i % 7 - 3, i % 5 - 2, 0), family = atoms }
+end
+scene:interact(atoms, atoms, force.lennard_jones { epsilon = 1, sigma = 1, cutoff = 2.5 })
+)");
+  const Finished result = finish({{sources::program(), "run", "melt.lua", "--until", "0.012", "--summary", "s.json"},
+                                  {"PANTIN_HOME=" + sources::folder(), "DISPLAY", "WAYLAND_DISPLAY"},
+                                  folder.path,
+                                  -1});
+  CHECK_THAT(result.out, Contains("energy error ") && !Contains("energy error 0 (worst 0)"));
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  CHECK(summary["error"]["worst_energy"] > 0.0);
+}
+
 TEST_CASE(
     "program: a run's last lines and its summary tell how deep shapes overlapped, which and when, where they did") {
   Folder folder;
