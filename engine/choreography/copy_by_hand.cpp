@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "base/shortened.hpp"
-#include "edit/assemble.hpp"
 #include "edit/common.hpp"
 #include "edit/constrain.hpp"
 #include "measure/query.hpp"
@@ -184,49 +184,61 @@ class Copying {
   void copy_constraints() {
     for (const ConstraintId id : world_.constraints.ids()) {
       const Constraint c = world_.constraints[id];
-      bool mine = c.kind != ConstraintKind::axis && c.hand < 0, any = false;
+      bool mine = !c.ring() && c.hand < 0, any = false;
       c.each_point([&](PointId p) { (points_.contains(p) ? any : mine) = points_.contains(p); });
       c.each_body([&](BodyId b) { (bodies_.contains(b) ? any : mine) = bodies_.contains(b); });
-      if (mine && any) copy_constraint(id, c);
+      if (mine && any) add_constraint(world_, image_of(id, c));
     }
   }
 
-  void copy_constraint(ConstraintId id, const Constraint& c) {
-    switch (c.kind) {
-      case ConstraintKind::nail:
-        add_nail(world_, points_.at(c.a), image_.place(c.position.now), c.time_constant);
-        return;
-      case ConstraintKind::rod:
-        c.b ? add_rod(world_, points_.at(c.a), points_.at(c.b))
-            : add_rod(world_, points_.at(c.a), image_.place(c.position.now));
-        return;
-      case ConstraintKind::string: {
-        std::vector<Passage> passages;
-        for (const Passage& passage : c.passages())
-          passages.push_back(passage.point ? Passage{points_.at(passage.point)}
-                                           : Passage{PointId{}, image_.place(passage.position)});
-        add_string(world_, std::move(passages), {c.number.now, c.time_constant});
-        return;
-      }
-      case ConstraintKind::motor: {
-        MotorDef def;
-        def.axis = image_.about(rotate(orientation(world_, c.body_a), c.axis_a));
-        require(c.by_speed && !c.number.of_time, "copy: ", describe(world_, id), " is led by an angle or a function");
-        def.speed = c.number.rate;
-        def.max_torque = c.max_torque;
-        def.time_constant = c.time_constant;
-        add_motor(world_, bodies_.at(c.body_a), c.body_b ? bodies_.at(c.body_b) : BodyId{}, def);
-        return;
-      }
-      case ConstraintKind::join: {
-        JoinDef def;
-        def.max_force = c.max_force;
-        def.time_constant = c.time_constant;
-        add_join(world_, points_.at(c.a), points_.at(c.b), def);
-        return;
-      }
-      default: throw Error(text("copy: ", describe(world_, id), " cannot be copied"));
-    }
+  PointId copy_of(PointId id) const { return id ? points_.at(id) : id; }
+  BodyId copy_of(BodyId id) const { return id ? bodies_.at(id) : id; }
+
+  Constraint image_of(ConstraintId id, Constraint c) const {
+    require(!c.position.of_time && !c.number.of_time && !c.turn.of_time, "copy: ", describe(world_, id),
+            " is led by a function");
+    require(!c.is<PathData>(), "copy: ", describe(world_, id), " is on a path, which stays where it is");
+    c.a = copy_of(c.a);
+    c.b = copy_of(c.b);
+    c.body_a = copy_of(c.body_a);
+    c.body_b = copy_of(c.body_b);
+    if (c.a && !c.b) c.position.now = image_.place(c.position.now);
+    c.turn.now = image_.turn(c.turn.now);
+    c.axis_a = image_.about(c.axis_a);
+    c.axis_b = image_.about(c.axis_b);
+    c.bend = {};
+    c.force = c.torque = zero3();
+    c.tension = 0.0;
+    c.name.clear();
+    if (c.is<WeldData>()) c.own = WeldData{image_.along(c.as<WeldData>().arm_a), image_.along(c.as<WeldData>().arm_b)};
+    if (c.is<StringData>())
+      for (Passage& p : c.as<StringData>().passages)
+        p = p.point ? Passage{copy_of(p.point)} : Passage{PointId{}, image_.place(p.position)};
+    if (c.is<CouplingData>())
+      for (CoupledValue& v : c.as<CouplingData>().values) v = image_of(v);
+    if (c.is<JoinData>()) c.own = JoinData{progress_of(id, *c.progress())};
+    return c;
+  }
+
+  CoupledValue image_of(CoupledValue v) const {
+    const bool turns = static_cast<bool>(v.body_a);
+    if (!turns) v.position = v.body_b ? image_.along(v.position) : image_.place(v.position);
+    v.point_a = copy_of(v.point_a);
+    v.point_b = copy_of(v.point_b);
+    v.body_a = copy_of(v.body_a);
+    v.body_b = copy_of(v.body_b);
+    v.axis_a = image_.about(v.axis_a);
+    v.axis_b = turns ? image_.about(v.axis_b) : image_.along(v.axis_b);
+    v.turn = image_.turn(v.turn);
+    return v;
+  }
+
+  std::shared_ptr<JoinProgress> progress_of(ConstraintId id, const JoinProgress& of) const {
+    require(!of.on_met && !of.holder, "copy: ", describe(world_, id), " is led by a script");
+    auto progress = std::make_shared<JoinProgress>();
+    progress->hinge_name = of.hinge_name;
+    progress->label = of.label;
+    return progress;
   }
 
   void copy_connections() {
@@ -274,10 +286,8 @@ AnyId thing_meant(const World& world, const Command& c) {
 
 Things whole_of(const World& world, const Command& c) {
   const AnyId meant = thing_meant(world, c);
-  const auto* body = std::get_if<BodyId>(&meant);
-  if (!body) return tied_to(world, std::get<PointId>(meant), true);
-  if (world.bodies[*body].points.empty()) return {{*body}, {}};
-  return tied_to(world, world.bodies[*body].points[0], true);
+  if (const auto* body = std::get_if<BodyId>(&meant)) return tied_to(world, *body, true);
+  return tied_to(world, std::get<PointId>(meant), true);
 }
 
 void copy_by_hand(World& world, const Command& c) {

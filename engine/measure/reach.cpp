@@ -30,28 +30,39 @@ struct Walk {
     found.free_points.push_back(id);
     open.push_back(id);
   }
+  void meet_all_tied(bool by_connections) {
+    while (!open.empty()) {
+      const PointId id = open.back();
+      open.pop_back();
+      const Particle& ring = world.particles[world.points[id].particle];
+      for (PointId member : ring.points) meet(member);
+      for (ConnectionId c : ring.connections) {
+        const Connection& tie = world.connections[c];
+        for (std::uint32_t i = 0; by_connections && tie.enabled && i < tie.count; i++)
+          if (tie.particles[i]) meet(world.particles[awake(world, tie.particles[i])].points[0]);
+      }
+      for (ConstraintId c : world.points[id].constraints) {
+        if (world.constraints[c].enabled) meet(world.constraints[c]);
+      }
+    }
+  }
 };
+
+template <class Id>
+Things all_tied_to(const World& world, Id id, bool by_connections) {
+  Walk walk{world, {}, {}, {}, {}};
+  walk.meet(id);
+  walk.meet_all_tied(by_connections);
+  return std::move(walk.found);
+}
 
 }  // namespace
 
 Things tied_to(const World& world, PointId point, bool by_connections) {
-  Walk walk{world, {}, {}, {}, {}};
-  walk.meet(point);
-  while (!walk.open.empty()) {
-    const PointId id = walk.open.back();
-    walk.open.pop_back();
-    const Particle& ring = world.particles[world.points[id].particle];
-    for (PointId member : ring.points) walk.meet(member);
-    for (ConnectionId c : ring.connections) {
-      const Connection& tie = world.connections[c];
-      for (std::uint32_t i = 0; by_connections && tie.enabled && i < tie.count; i++)
-        if (tie.particles[i]) walk.meet(world.particles[awake(world, tie.particles[i])].points[0]);
-    }
-    for (ConstraintId c : world.points[id].constraints) {
-      if (world.constraints[c].enabled) walk.meet(world.constraints[c]);
-    }
-  }
-  return std::move(walk.found);
+  return all_tied_to(world, point, by_connections);
+}
+Things tied_to(const World& world, BodyId body, bool by_connections) {
+  return all_tied_to(world, body, by_connections);
 }
 
 }  // namespace pantin
