@@ -137,20 +137,15 @@ NodeOrder order_nodes(const std::vector<Edge>& edges, const std::vector<std::uin
   return nodes;
 }
 
-Node make_node(const Model& model, Thing t, std::uint32_t first_row) {
-  Node n{};
-  n.slot = t.slot;
-  n.is_body = t.is_body;
-  n.first_row = first_row;
-  weigh(n, model);
-  return n;
-}
-
 void add_nodes(Articulate& a, Model& model, std::span<const Thing> things, const NodeOrder& order) {
   a.nodes.reserve(things.size());
   for (std::size_t k = 0; k < order.things.size(); k++) {
     const Thing t = things[order.things[k]];
-    a.nodes.push_back(make_node(model, t, order.first_rows[k]));
+    Node& n = a.nodes.emplace_back();
+    n.slot = t.slot;
+    n.is_body = t.is_body;
+    n.first_row = order.first_rows[k];
+    weigh(n, model);
     node_of(model, t) = static_cast<std::int32_t>(k);
   }
 }
@@ -183,7 +178,8 @@ void inherit(const History::Match& before, Row& row, Condition* condition) {
 /// Returns whether the row was there before.
 bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vector<std::int32_t>& position,
              const History& history) {
-  Row row;
+  const auto index = static_cast<std::uint32_t>(a.rows.size());
+  Row& row = a.rows.emplace_back();
   row.rule = edge.rule;
   row.a = position[static_cast<std::size_t>(edge.a)];
   if (edge.b >= 0) row.b = position[static_cast<std::size_t>(edge.b)];
@@ -197,14 +193,14 @@ bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vec
   } else {
     row.condition = static_cast<std::int32_t>(a.conditions.size());
     a.conditions.push_back(make_condition(model, edge, row));
-    a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
+    a.conditions.back().row = index;
   }
   const History::Match before = history.row(edge);
-  a.predictor.forces.push_back(before.row != nullptr ? before.articulate->predictor.forces[before.index()]
-                                                     : Predictor::OfRow{});
-  if (before.row != nullptr) inherit(before, row, edge.member ? nullptr : &a.conditions.back());
-  a.rows.push_back(row);
-  return before.row != nullptr;
+  Predictor::OfRow& forces = a.predictor.forces.emplace_back();
+  if (before.row == nullptr) return false;
+  forces = before.articulate->predictor.forces[before.index()];
+  inherit(before, row, edge.member ? nullptr : &a.conditions.back());
+  return true;
 }
 
 }  // namespace
@@ -232,6 +228,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   history.inherit(a);
   add_nodes(a, model, things, order);
   a.rows.reserve(edges.size());
+  a.predictor.forces.reserve(edges.size());
   for (std::uint32_t k : elimination.order)
     if (!add_row(a, model, edges[k], position, history)) disturb(a);
   for (std::uint32_t i = 0; i < hubs.size(); i++)
