@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "edit/constrain.hpp"
+#include "edit/coupling_constraints.hpp"
 #include "model/path.hpp"
 #include "step/step.hpp"
 #include "support/cases.hpp"
@@ -81,6 +82,34 @@ TEST_CASE("approach: a string that is too short, and distances and angles outsid
     if (kind == 3) return 1.0 - world.constraints[angle].angle;
     return std::fabs(distance() - (kind == 2 ? 4.0 : 2.0));
   });
+}
+
+TEST_CASE(
+    "approach: it ends where what is left is round-off of a length, at the origin and of points without size too") {
+  const int kind = GENERATE(0, 1, 2, 3);
+  CAPTURE(kind);
+  World world;
+  world.settings.gravity = zero3();
+  const PointId a = particle_at(world, zero3()), b = particle_at(world, vec(3, 0, 0));
+  if (kind == 0) {
+    const ConstraintId rod = add_rod(world, a, b);
+    world.constraints[rod].time_constant = tau;
+    set_length(world, rod, 2.0);
+  }
+  if (kind == 1) add_string(world, {{a, zero3()}, {b, zero3()}}, {2.0, tau});
+  if (kind == 2) add_limit(world, a, b, {0.5, 2.0, tau});
+  if (kind == 3) {
+    PulleyDef rope;
+    rope.length = 2.0;
+    rope.time_constant = tau;
+    add_pulley(world, a, {{}, vec(-1, 0, 0)}, b, {{}, vec(1, 0, 0)}, rope);
+  }
+  const Attraction& attract = world.constraints.at_slot(0).attract;
+  step(world);
+  REQUIRE(attract.excess > 0.5);
+  advance(world, 40 * tau);
+  CHECK(attract.excess == 0.0);
+  CHECK(attract.excess_rate == 0.0);
 }
 
 TEST_CASE("approach: what was drawn into its range is free in it, and rests") {
