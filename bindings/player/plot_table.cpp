@@ -158,6 +158,8 @@ int plot_table(const PlotOptions& options) {
   if (told.title.empty()) told.title = std::filesystem::path(options.table).stem();
   if (!options.by.empty() && !options.color.empty())
     throw UsageError("--by is of lines, --color of a heat map: give one of them");
+  if (options.points && !options.color.empty())
+    throw UsageError("--points is of lines, --color of a heat map: give one of them");
   for (const std::string& name : options.log) {
     table.column(name);
     if (name != options.x && name != options.y && name != options.color)

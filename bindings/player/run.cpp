@@ -144,6 +144,8 @@ int run(const RunOptions& options, const std::string& home) {
   std::unique_ptr<Scene> scene = open(options, path, home);
   World& world = scene->world();
   check_probes(options, world);
+  if (options.until && *options.until < world.time - 0.5 * world.settings.step)
+    throw UsageError(text("--until ", *options.until, " s: ", path, " is at ", world.time, " s already"));
   const std::unique_ptr<Frames> frames = begin_frames(*scene, options, outputs);
   Times times;
   SavesAt saves(options.save_at, *scene, outputs);

@@ -117,7 +117,7 @@ TEST_CASE("best: of seeds the mean counts, and their cases follow one another") 
   }
 }
 
-TEST_CASE("best: what is no number to search for is told after the first case, and leaves nothing") {
+TEST_CASE("best: what is no number to search for is told after a few cases, and leaves nothing") {
   Folder folder;
   const auto refused = [&](const char* name, const char* why) {
     const Finished run = search_peak(folder, with(both, {"--best", name}));
@@ -125,9 +125,27 @@ TEST_CASE("best: what is no number to search for is told after the first case, a
     CHECK_THAT(run.err, Contains(why));
     CHECK(folder.files() == std::vector<std::string>{"peak.lua"});
   };
-  refused("valeu", "has no number 'valeu'; there are: noise, value, word, height last, height least");
-  refused("hash", "has no number 'hash'");
+  refused("valeu", "none of the first 8 cases has a number 'valeu'; case 8 has: noise, value, word, height last");
+  refused("hash", "has a number 'hash'");
   refused("word", "'word' of case 0 is no number: rod");
+}
+
+TEST_CASE("best: a number that some cases do not tell is searched for all the same") {
+  Folder folder;
+  write_file(folder / "late.lua",
+             "local a = scene:param('a', 0.5)\nif a > 0.4 then scene:result('value', -(a - 0.6)^2) end");
+  const Finished run =
+      use(folder, {"sweep", "late.lua", "--set", "a=0:1", "--best", "value", "--until", "0.01", "--out", "t.csv"});
+  CHECK(run.code == 0);
+  CHECK(number_after(run.out, "--set a=") == Approx(0.6).margin(0.01));
+}
+
+TEST_CASE("best: that the best is at an end of its range is told") {
+  Folder folder;
+  const Finished end = search_peak(folder, {"--set", "a=0.4:0.8", "--best", "value", "--sample", "60"});
+  CHECK_THAT(end.out, Contains("a is at an end of its range, 0.4 to 0.8: there may be better beyond it"));
+  const Finished inside = search_peak(folder, {"--set", "a=0.1:0.8", "--best", "value", "--sample", "60"});
+  CHECK_THAT(inside.out, !Contains("at an end"));
 }
 
 TEST_CASE("best: what cannot be searched is refused before the first case") {

@@ -150,6 +150,7 @@ double total_energy(const std::string& source, const std::string& ranks) {
   REQUIRE(run.code == 0);
   CHECK(number_after(run.out, "the energy agrees to ") <= 1e-6);
   CHECK(number_after(run.out, "every force to ") <= 1e-6);
+  CHECK(number_after(run.out, "at the end the energy to ") <= 1e-6);
   return number_after(run.out, "total energy ");
 }
 
@@ -261,6 +262,10 @@ TEST_CASE("lammps: wrong use is told before anything runs") {
   std::filesystem::create_directories(folder / "files");
   write_file(folder / "files/thesis.txt", "mine");
   CHECK_THAT(export_scene(folder, melt).err, Contains("it holds files that are not of an export"));
+  std::filesystem::create_directories(folder / "own");
+  write_file(folder / "own/in.scene", "units metal\n");
+  CHECK_THAT(use(folder, {"export", "scene.lua", "--lammps", "own"}).err, Contains("not of an export"));
+  CHECK(read_file(folder / "own/in.scene") == "units metal\n");
   CHECK_THAT(use(folder, {"export", "scene.lua"}).err, Contains("--lammps"));
   CHECK_THAT(use(folder, {"lammps", "scene.lua", "--error", "2"}).err, Contains("1e-10 to 0.1"));
   CHECK_THAT(use(folder, {"lammps", "scene.lua", "--out", "x.csv"}).err, Contains(".pantin"));

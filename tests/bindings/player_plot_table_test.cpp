@@ -75,6 +75,7 @@ TEST_CASE("plot_table: what cannot be drawn is told, and leaves no file") {
   refused({.x = "sise", .y = "cost"}, "no column 'sise'. It has case, size, rate, cost, name");
   refused({.x = "size", .y = "name"}, "no row has numbers");
   refused({.x = "size", .y = "cost", .by = "name", .color = "rate"}, "one of them");
+  refused({.x = "size", .y = "cost", .color = "rate", .points = true}, "one of them");
   refused({.x = "size", .y = "cost", .log = {"rate"}}, "no axis");
   write_file(folder / "t.csv", "a,b,a\n1,2,3\n");
   refused({.x = "a", .y = "b"}, "more than one column 'a'");

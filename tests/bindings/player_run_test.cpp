@@ -134,3 +134,13 @@ TEST_CASE("program: a run's table has a row at each event that a probe counts") 
   CHECK(none.code == 2);
   CHECK_THAT(none.err, Contains("no such probe at its start; it has touches, height"));
 }
+
+TEST_CASE("run: a state goes on to a later time only") {
+  Folder folder;
+  write_file(folder / "drop.lua", "scene:particle { at = vec(0, 1, 0), mass = 1 }");
+  REQUIRE(use(folder, {"run", "drop.lua", "--until", "1", "--save-at", "1", "--save-to", "one.pantin"}).code == 0);
+  const Finished back = use(folder, {"run", "one.pantin", "--until", "0.5"});
+  CHECK(back.code == 2);
+  CHECK_THAT(back.err, Contains("--until 0.5 s: one.pantin is at 1 s already"));
+  CHECK(use(folder, {"run", "one.pantin", "--until", "1"}).code == 0);
+}

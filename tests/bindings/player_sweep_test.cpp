@@ -127,6 +127,16 @@ TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothin
   refused({"--set", "length=1,2", "--set", "length=3"}, "set twice");
   refused({"--set", "links=1:3:9"}, "a whole number in this scene");
   refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");
+  refused({"--set", "length=1:11:3"}, "length must be at most 10, got 11");
+  refused({"--set", "length=0.05,1"}, "length must be at least 0.1, got 0.05");
+}
+
+TEST_CASE("sweep: a state, whose parameters are set, is refused") {
+  Folder folder;
+  write_file(folder / "late.pantin", "");
+  const Finished run = use(folder, {"sweep", "late.pantin", "--set", "a=1,2", "--out", "t.csv"});
+  CHECK(run.code == 2);
+  CHECK_THAT(run.err, Contains("late.pantin is a state") && Contains("a sweep opens a scene"));
 }
 
 TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table") {

@@ -12,6 +12,7 @@
 #include "base/hash.hpp"
 #include "player/output.hpp"
 #include "scene/errors.hpp"
+#include "scene/files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -56,11 +57,18 @@ void remove_file(const std::string& folder, const char* name) {
   fs::remove(fs::path(folder) / name, ignored);
 }
 
+constexpr const char* made_for = ", for LAMMPS of 29 September 2021 or newer:\n";  // ends a script's first line
+
+bool is_export(const std::string& folder) {
+  const auto script = file_content((fs::path(folder) / "in.scene").string());
+  return script && script->substr(0, script->find('\n') + 1).ends_with(made_for);
+}
+
 void make_folder(const std::string& folder) {
   std::error_code failed;
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw UsageError(text("cannot write ", folder, ": it is no folder"));
-  if (fs::is_directory(folder) && !fs::is_empty(folder) && !fs::exists(fs::path(folder) / "in.scene"))
+  if (fs::is_directory(folder) && !fs::is_empty(folder) && !is_export(folder))
     throw UsageError(text("cannot write ", folder, ": it holds files that are not of an export; name another folder"));
   fs::create_directories(folder, failed);
   if (failed) throw UsageError(text("cannot write ", folder, ": ", failed.message()));
@@ -220,7 +228,7 @@ std::string type_list(const std::vector<int>& types) {
 
 /// What the script begins with, for who reads it.
 std::string header_text(const World& world, const LammpsSystem& system, const LammpsTask& task, bool lepton) {
-  std::string out = text("# ", words(task.name), " at ", world.time, " s, for LAMMPS of 29 September 2021 or newer:\n",
+  std::string out = text("# ", words(task.name), " at ", world.time, " s", made_for,
                          "#   lmp -in in.scene        or        mpirun -np 4 lmp -in in.scene\n",
                          "# Units: those of the scene, m, kg, s, J, N; temperatures are k_B T in J. In `units lj` "
                          "LAMMPS converts nothing.\n");
@@ -311,8 +319,11 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
       "if \"${check} == yes\" then \"write_dump all custom start.dump id fx fy fz modify format float %.17g\" &\n"
       "  \"print 'pantin: start.dump is there'\"\n\n";
   out += motion_text(world, system);
+  out += "thermo ${every}\nrun ${steps}\n";
+  out += text("print \"pantin: energy at the end $(pe", norm(world.settings.gravity) > 0.0 ? " - f_gravity" : "",
+              ":%.17g)\"\n");
   out +=
-      "thermo ${every}\nrun ${steps}\n\n# Where all is at the end, not wrapped into the box.\n"
+      "\n# Where all is at the end, not wrapped into the box.\n"
       "write_dump all custom end.dump id xu yu zu vx vy vz modify format float %.17g\n";
   return out;
 }

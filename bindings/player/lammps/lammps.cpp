@@ -112,7 +112,7 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
   return given;
 }
 
-/// What both programs have at the beginning, held against each other.
+/// What both programs have at the beginning and the end, held against each other.
 class Check {
  public:
   explicit Check(const Given& given) : given_(given) {}
@@ -130,9 +130,8 @@ class Check {
       if (off > missed) missed = off, worst = i;
     }
     if (largest > 0.0) force_error_ = missed / largest;
-    const double scale = std::max(std::abs(given_.forces.energy), system.energy_size);
-    if (scale > 0.0) energy_error_ = std::abs(energy - given_.forces.energy) / scale;
-    const double limit = std::max(system.error, 1e-12);
+    energy_error_ = energy_error(energy, given_.forces.energy);
+    const double limit = this->limit();
     require(force_error_ <= limit, "LAMMPS has another force on ", describe(given_.scene->world(), system.atoms[worst]),
             " than this program, by ", rounded(force_error_), " of the largest, and ", system.error,
             " was promised: nothing is brought back");
@@ -143,15 +142,38 @@ class Check {
     done_ = true;
   }
 
+  /// Once all is where LAMMPS left it. What it found is told; after hours of work nothing is thrown away for it.
+  void look_at_end(double energy) {
+    const double ours = present_forces(given_.scene->world()).energy;
+    end_error_ = energy_error(energy, ours);
+    if (end_error_ <= limit()) return;
+    say(text("LAMMPS has an energy of ", energy, " J at the end and this program ", ours,
+             " J of the same positions: ", rounded(end_error_), " of it, and ", given_.system.error, " was promised",
+             nearer_than_good() ? ", but for particles that come nearer than their tables are good" : "",
+             ". Take a shorter step, or a smaller --error"));
+  }
+
   bool done() const { return done_; }
   std::string told() const {
     return text("at the start the energy agrees to ", rounded(energy_error_), " and every force to ",
-                rounded(force_error_), " of the largest");
+                rounded(force_error_), " of the largest; at the end the energy to ", rounded(end_error_));
   }
 
  private:
+  double limit() const { return std::max(given_.system.error, 1e-12); }
+  /// Of the energy, or of the usual one where that is more.
+  double energy_error(double theirs, double ours) const {
+    const double scale = std::max(std::abs(ours), given_.system.energy_size);
+    return scale > 0.0 ? std::abs(theirs - ours) / scale : std::abs(theirs - ours);
+  }
+  bool nearer_than_good() const {
+    const auto has_inner = [](const LammpsTable& t) { return t.table.inner_error > 0.0; };
+    return std::ranges::any_of(given_.system.pair_tables, has_inner) ||
+           std::ranges::any_of(given_.system.bond_tables, has_inner);
+  }
+
   const Given& given_;
-  double energy_error_ = 0.0, force_error_ = 0.0;
+  double energy_error_ = 0.0, force_error_ = 0.0, end_error_ = 0.0;
   bool done_ = false;
 };
 
@@ -162,8 +184,9 @@ class Listener {
       : given_(given), folder_(std::move(folder)), check_(given), progress_(given.until) {}
 
   void hear(const std::string& line) {
-    if (line.starts_with("pantin: energy ")) energy_ = std::strtod(line.c_str() + 15, nullptr);
+    if (!begun_ && line.starts_with("pantin: energy ")) energy_ = std::strtod(line.c_str() + 15, nullptr);
     if (line.starts_with("pantin: start.dump")) check_.look(folder_, energy_), begun_ = true;
+    if (line.starts_with("pantin: energy at the end ")) energy_at_end_ = std::strtod(line.c_str() + 26, nullptr);
     if (!begun_) return;
     if (line.starts_with("Loop time of ")) loop_ = std::strtod(line.c_str() + 13, nullptr);
     char* end = nullptr;
@@ -181,6 +204,7 @@ class Listener {
     progress_.show(given_.scene->world().time + step * given_.scene->world().settings.step);
   }
 
+  void look_at_end() { check_.look_at_end(energy_at_end_); }
   const Check& check() const { return check_; }
   double seconds() const { return loop_; }  ///< of the run's steps
   double first() const { return first_; }   ///< [J] kinetic and potential
@@ -192,7 +216,7 @@ class Listener {
   Check check_;
   Progress progress_;
   bool begun_ = false, has_first_ = false;
-  double energy_ = 0.0, loop_ = 0.0, first_ = 0.0, last_ = 0.0;
+  double energy_ = 0.0, energy_at_end_ = 0.0, loop_ = 0.0, first_ = 0.0, last_ = 0.0;
 };
 
 void remove_dumps(const std::string& folder) {
@@ -240,6 +264,7 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
           (fs::path(folder) / "log.lammps").string(), ")");
   bring_back(world, given.system, read_dump((fs::path(folder) / "end.dump").string(), given.system.atoms.size(), 6),
              given.until);
+  listener.look_at_end();
   check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);
   save_state(*given.scene, out);
   remove_dumps(folder);

@@ -12,6 +12,8 @@ namespace pantin::player {
 namespace {
 
 constexpr std::uint64_t most_searched = 100'000, usual_for_each_range = 100;
+constexpr double near_end = 1e-3;          // of a range: what counts as its end
+constexpr std::uint64_t most_without = 8;  // cases that do not tell what is wanted, before any that does
 
 bool is_searched(const Axis& axis) { return axis.values.empty() && !axis.of_seeds; }
 
@@ -123,10 +125,10 @@ void Best::check(const Rows& rows) {
     const CaseRow& row = rows.at(checked_);
     if (failed(row)) continue;
     const std::string* cell = cell_of(cases_, row, wanted_.column);
+    if (!cell && ++without_ < most_without) continue;
     if (!cell)
-      throw UsageError(text("case ", row.number, " has no number '", wanted_.column,
-                            "'; there are: ", columns_of(cases_, row),
-                            ". What a script tells late or never, it may tell at its start, too"));
+      throw UsageError(text("none of the first ", without_, " cases has a number '", wanted_.column, "'; case ",
+                            row.number, " has: ", columns_of(cases_, row)));
     if (!number_of_cell(*cell))
       throw UsageError(text("'", wanted_.column, "' of case ", row.number, " is no number: ", *cell));
     known_ = true;
@@ -170,6 +172,15 @@ std::string Best::told(const Rows& rows) const {
       seeds_ > 1 ? text(", the mean of cases ", first, " to ", first + seeds_ - 1, ":") : text(", case ", first, ":");
   const auto settings = cases_.settings(first);
   for (const std::size_t axis : searched_) all += text(" --set ", settings[axis].first, "=", settings[axis].second);
+  for (const std::size_t axis : searched_) {
+    const Axis& range = cases_.axes()[axis];
+    const auto at = number_or_fraction(settings[axis].second);
+    if (at && std::fabs(*at - range.from) > near_end * std::fabs(range.to - range.from) &&
+        std::fabs(*at - range.to) > near_end * std::fabs(range.to - range.from))
+      continue;
+    all += text("\n", range.name, " is at an end of its range, ", range.from, " to ", range.to,
+                ": there may be better beyond it");
+  }
   return all;
 }
 

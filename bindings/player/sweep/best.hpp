@@ -34,7 +34,8 @@ class Best {
 
   /// The next case to run that has no row, or none until another row is kept.
   std::optional<std::uint64_t> next(const Rows& rows);
-  /// Call it after a row was kept. Throws UsageError where a case that did not fail has no such column with a number.
+  /// Call it after a row was kept. Throws UsageError where none of the first cases that did not fail has such a column, or
+  /// one of them has no number there.
   void kept(const Rows& rows, std::uint64_t number);
   /// A sentence: what was best, and where. Empty: all failed.
   std::string told(const Rows& rows) const;
@@ -52,7 +53,8 @@ class Best {
   std::vector<std::size_t> searched_;  ///< axes
   Search search_;
   std::deque<std::uint64_t> waiting_;  ///< cases of points that were asked
-  std::uint64_t checked_ = 0;          ///< cases that failed, up to the first that shows whether there is such a column
+  std::uint64_t checked_ = 0;          ///< cases, up to the first that has such a column
+  std::uint64_t without_ = 0;          ///< of them, that did not fail
   bool known_ = false;
 };
 

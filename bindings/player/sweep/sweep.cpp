@@ -15,6 +15,7 @@
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/output.hpp"
+#include "player/saved_state.hpp"
 #include "player/sweep/course.hpp"
 #include "player/sweep/journal.hpp"
 #include "player/sweep/ranks.hpp"
@@ -51,36 +52,53 @@ std::vector<Axis> read_axes(const SweepOptions& options) {
 
 /// What is known of the scene before the first case.
 struct SceneLook {
-  std::map<std::string, bool>
-      whole;            ///< its parameters: whether they are whole numbers; empty where it cannot be opened so
-  std::string unknown;  ///< why what is set is none of it; empty: it is
+  std::map<std::string, SceneParameter> parameters;  ///< by name; empty where it cannot be opened so
+  std::string unknown;                               ///< why what is set is none of it; empty: it is
 };
 
-/// Opens the scene once.
+/// Opens the scene once, as its first case where that can be opened.
 SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, const std::string& home,
                         const SweepOptions& options) {
   SceneOptions first = limits(options, home);
   for (const Axis& axis : axes)
     if (!axis.values.empty() || axis.whole) first.set[axis.name] = axis.value(0);
   SceneLook look;
-  try {
-    const auto scene = lua::open_scene(path, first);
-    for (const SceneParameter& p : scene->parameters()) look.whole[p.name] = p.integer;
-    for (const Axis& axis : axes)
-      if (!look.whole.contains(axis.name) && !axis.name.starts_with("scene."))
-        look.unknown = text("the scene has no parameter '", axis.name, "'");
-  } catch (const UsageError& error) { look.unknown = error.what(); } catch (const Error&) {
-    look.whole.clear();  // the cases tell, each its own
-  }
+  for (const SceneOptions& tried : {first, limits(options, home)}) try {
+      const auto scene = lua::open_scene(path, tried);
+      for (const SceneParameter& p : scene->parameters()) look.parameters[p.name] = p;
+      for (const Axis& axis : axes)
+        if (!look.parameters.contains(axis.name) && !axis.name.starts_with("scene."))
+          look.unknown = text("the scene has no parameter '", axis.name, "'");
+      break;
+    } catch (const UsageError& error) {
+      look.unknown = error.what();
+      break;
+    } catch (const Error&) {}  // where neither can be opened the cases tell, each its own
   return look;
 }
 
-/// Ranges of whole numbers have whole numbers.
+/// Throws UsageError where a parameter does not take what it is to be.
+void check_range(const Axis& axis, const SceneParameter& parameter) {
+  std::vector<double> all = {axis.from, axis.to};
+  if (!axis.values.empty()) all.clear();
+  for (const std::string& value : axis.values)
+    if (const auto number = number_or_fraction(value)) all.push_back(*number);
+  for (const double value : all) {
+    if (parameter.min && value < *parameter.min)
+      throw UsageError(text(axis.name, " must be at least ", *parameter.min, ", got ", value));
+    if (parameter.max && value > *parameter.max)
+      throw UsageError(text(axis.name, " must be at most ", *parameter.max, ", got ", value));
+  }
+}
+
+/// What is set is in the range of its parameter; ranges of whole numbers have whole numbers.
 void settle_whole(std::vector<Axis>& axes, const SceneLook& look) {
   if (!look.unknown.empty()) throw UsageError(look.unknown);
   for (Axis& axis : axes) {
-    const auto known = look.whole.find(axis.name);
-    if (known == look.whole.end() || !known->second || !axis.values.empty()) continue;
+    const auto known = look.parameters.find(axis.name);
+    if (known == look.parameters.end()) continue;
+    check_range(axis, known->second);
+    if (!known->second.integer || !axis.values.empty()) continue;
     axis.whole = true;
     if (std::ceil(std::min(axis.from, axis.to)) > std::floor(std::max(axis.from, axis.to)))
       throw UsageError(text("'", axis.name,
@@ -180,6 +198,8 @@ Cases cases_of(std::vector<Axis> axes, const SweepOptions& options) {
 
 int sweep(const SweepOptions& options, const std::string& home) {
   const std::string path = find_scene(options.scene, home);
+  if (path.ends_with(state_ending))
+    throw UsageError(text(path, " is a state, whose parameters are set already: a sweep opens a scene, a .lua"));
   std::vector<Axis> axes = read_axes(options);
   if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
   if (options.out.ends_with(hdf5_ending)) need_hdf5();
