@@ -29,9 +29,6 @@
 
 namespace pantin::player {
 
-/// As `--set` gives it.
-std::string setting_text(const SceneValue& value);
-
 /// A scene in a window, with hands in it.
 class Player {
  public:
@@ -48,6 +45,8 @@ class Player {
   const Said* complaint() const;
   bool display_lost() const { return window_.lost(); }
   bool browsing() const { return browser_.shown(); }
+  /// What hands or panels were told last.
+  const std::string& told() const { return told_; }
   const Times& times() const { return times_; }
   /// A script's error, or a state that became non-finite, that nobody has restarted from.
   const std::string& failure() const { return failure_; }
@@ -68,23 +67,16 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A parameter that the scene was opened anew with.
-  struct Rebuilt {
-    std::string act, name;
-    SceneValue before, after;
-  };
-
   std::string title() const;
   void act(const Actions& actions);
   void take_keys();
   Actions take_hands(double elapsed);
   std::int32_t new_hand();
   bool presses_in_scene() const;
-  void begin_change(const std::string& name);
+  bool goes_on_changing(const std::string& name) const;
   void keep_for_undo(const std::string& act, const StepInput& before);
-  void open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does);
-  UndoState undo_state() const;
-  void go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&));
+  void go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&));
+  void put_in_place(const Scene& old);
   void do_at_once();
   void tell(const std::string& what);
   void tell_dropped();
@@ -119,7 +111,7 @@ class Player {
   void stop_recording(const std::string& why);
   void reload();
   std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);
-  void adopt(std::unique_ptr<Scene> fresh);
+  void adopt(std::shared_ptr<Scene> fresh);
   void open_neighbour(int places);
   void open_next();
   void play(const SoundCall& call);
@@ -143,7 +135,7 @@ class Player {
   RunOptions options_;
   SceneOptions scene_options_;
   Reload reload_;
-  std::unique_ptr<Scene> scene_;
+  std::shared_ptr<Scene> scene_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LiveFilm> film_;  ///< while it is taken
   Window window_;
@@ -157,8 +149,7 @@ class Player {
   Speaker speaker_;
   SavedFile lasting_;  ///< what the scene keeps for the next time
   Undo undo_;
-  std::optional<Rebuilt> rebuilt_;  ///< the last act before all that `undo_` keeps
-  std::optional<Rebuilt> unbuilt_;  ///< the same, when it was undone
+  bool acted_ = false;  ///< something was done to the scene since it was opened, which is lost when it is again
   PaletteWish undo_wish_;
   std::string told_;  ///< what a tool did last, or why it did nothing
   Clock::time_point told_at_{};

@@ -43,52 +43,27 @@ std::int32_t Player::new_hand() {
 }
 
 void Player::keep_for_undo(const std::string& act, const StepInput& before) {
-  unbuilt_.reset();
+  acted_ = true;
   try {
-    undo_.begin(*scene_, times_, before, act);
+    undo_.begin(scene_, times_, before, act);
   } catch (const Error& error) { tell(text(act, " cannot be undone: ", error.what())); }
 }
 
-void Player::undo() {
-  if (!rebuilt_ || !undo_.last().empty()) return go_back(&Undo::undo);
-  const Rebuilt rebuilt = *rebuilt_;
-  open_with(rebuilt, rebuilt.before, "undo");
-  if (!rebuilt_ || !(rebuilt_->after == rebuilt.before)) return;
-  rebuilt_.reset();
-  unbuilt_ = rebuilt;
-}
+void Player::undo() { go_back(&Undo::undo); }
+void Player::redo() { go_back(&Undo::redo); }
 
-void Player::redo() {
-  if (!unbuilt_) return go_back(&Undo::redo);
-  const Rebuilt rebuilt = *unbuilt_;
-  open_with(rebuilt, rebuilt.after, "redo");
-}
-
-/// What came of the scene that it was before is gone: it starts again.
-void Player::open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does) {
-  changed_at_ = {};  // an act of its own
-  if (set_parameter(rebuilt.name, value)) tell(text(does, ": ", rebuilt.act, "; the scene starts again"));
-}
-
-UndoState Player::undo_state() const {
-  UndoState state = undo_.state(*scene_);
-  const bool only_rebuilt = undo_.last().empty() && (rebuilt_ || unbuilt_);
-  if (only_rebuilt) state.obstacle = nullptr;  // nothing is wound back
-  if (only_rebuilt && rebuilt_) state.undo = rebuilt_->act;
-  if (only_rebuilt && unbuilt_) state.redo = unbuilt_->act;
-  return state;
-}
-
-void Player::go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&)) {
+void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&)) {
   std::string told;
-  if ((undo_.*way)(*scene_, times_, waiting_, told)) {
+  const std::shared_ptr<Scene> old = scene_;
+  if ((undo_.*way)(scene_, times_, waiting_, told)) {
     changes_++;
+    acted_ = true;
+    changed_at_ = {};  // a change of a parameter is an act of its own
+    if (scene_ != old) put_in_place(*old);
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;
-    for (const SceneParameter& p : scene_->parameters())
-      if (p.value != p.initial || scene_options_.set.contains(p.name))
-        scene_options_.set[p.name] = setting_text(p.value);
+    take_parameters(*scene_, scene_options_.set);
   }
   tell(told);
 }
@@ -160,7 +135,7 @@ void Player::draw_tools() {
   if (lost_.draw(static_cast<float>(renderer_.height()))) bring_back();
   const std::string told = Clock::now() < told_at_ + told_for ? told_ : hint();
   const ToolKind kind = hands_.tool.kind;
-  const PaletteWish wish = draw_palette(hands_.tool, undo_state(), told, static_cast<float>(renderer_.width()),
+  const PaletteWish wish = draw_palette(hands_.tool, undo_.state(scene_), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));
   if (hands_.tool.kind != kind) tell_tool();
   undo_wish_ = wish;

@@ -50,8 +50,6 @@ void Player::reload() {
   const auto chosen = carried.things.find(chosen_);
   chosen_ = chosen == carried.things.end() ? AnyId{} : chosen->second;
   undo_.clear();
-  rebuilt_.reset();
-  unbuilt_.reset();
   scene_ = std::move(reloaded->scene);
   changes_++;
   log_read_ = scene_->world().log.size();

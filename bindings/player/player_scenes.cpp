@@ -25,13 +25,9 @@ constexpr std::chrono::seconds one_change{1};  // of a parameter, from value to 
 constexpr std::chrono::seconds patience_of_question{4};
 constexpr std::chrono::milliseconds patience{300};  // before it is told that a scene is being opened
 
-}  // namespace
+std::string act_of_change(const std::string& parameter) { return "change of " + parameter; }
 
-std::string setting_text(const SceneValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  return std::get<std::string>(value);
-}
+}  // namespace
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
 std::unique_ptr<Scene> Player::load(const std::string& path, const SceneOptions& options) {
@@ -82,24 +78,28 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
   if (stopped) allow_scripts();
 }
 
-void Player::adopt(std::unique_ptr<Scene> fresh) {
-  changes_++;
-  undo_.clear();
-  rebuilt_.reset();
-  unbuilt_.reset();
-  if (fresh->dark() != scene_->dark()) views_.set(View::dark, fresh->dark());
-  scene_ = std::move(fresh);
-  hands_.reset();
-  log_read_ = 0;
-  follower_ = {};
+void Player::adopt(std::shared_ptr<Scene> fresh) {
+  const std::shared_ptr<Scene> old = std::exchange(scene_, std::move(fresh));
   waiting_ = {};
   times_ = {};
   failure_.clear();
+  tried_ = false;
+  acted_ = false;
+  log_read_ = 0;
+  adopted_ = Clock::now();
+  hands_.reset();
+  put_in_place(*old);
+}
+
+/// Another scene is shown from now on; what hands and eyes know of the old one they forget.
+void Player::put_in_place(const Scene& old) {
+  changes_++;
+  if (scene_->dark() != old.dark()) views_.set(View::dark, scene_->dark());
+  hands_.forget();
+  follower_ = {};
   pacing_ = {};
   chosen_ = {};
   lost_.forget();
-  tried_ = false;
-  adopted_ = Clock::now();
   renderer_.open(scene_->world());
   window_.set_title(title() + " - Pantin");
 }
@@ -108,9 +108,15 @@ Camera Player::own_camera() const {
   return aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }
 
+/// Where something was done, that is an act, and undone.
 void Player::restart() {
   try {
-    adopt(load(path_, scene_options_));
+    std::shared_ptr<Scene> fresh = load(path_, scene_options_);
+    if (acted_) {
+      undo_.replace(scene_, times_, waiting_, "restart");
+      tell("the scene starts again: ctrl+z brings back what was");
+    }
+    adopt(std::move(fresh));
     if (recorder_) recorder_->restarted();
     paused_ = false;
   } catch (const std::exception& error) { fail(error.what()); }
@@ -130,6 +136,7 @@ bool Player::open(const std::string& path) {
   const bool first = path_.empty();
   path_ = path;
   scene_options_ = options;
+  undo_.clear();
   adopt(std::move(fresh));
   if (first && !options_.record.empty()) begin_recording();
   panels_.reset();
@@ -196,19 +203,17 @@ bool Player::set_parameter(const std::string& name, const SceneValue& value) {
   const bool live = parameter->live;
   if (!live && path_.ends_with(state_ending))
     return complain(name + " cannot change here: the scene goes on from a state, which has it as it is"), false;
-  Rebuilt rebuilt{"change of " + name, name, parameter->value, value};
-  if (rebuilt_ && rebuilt_->name == name && undo_.last().empty() && Clock::now() < changed_at_ + one_change)
-    rebuilt.before = rebuilt_->before;
   const auto before = scene_options_.set;
   scene_options_.set[name] = setting_text(value);
-  if (live) begin_change(name);
+  if (live && !goes_on_changing(name)) keep_for_undo(act_of_change(name), waiting_);
   changes_++;
   bool taken = true;
   try {
     if (!scene_->set_parameter(name, value)) {
       const double size = renderer_.stage().size;
-      adopt(load(path_, scene_options_));
-      rebuilt_ = std::move(rebuilt);
+      std::shared_ptr<Scene> fresh = load(path_, scene_options_);
+      if (!goes_on_changing(name)) undo_.replace(scene_, times_, waiting_, act_of_change(name));
+      adopt(std::move(fresh));
       camera_ = fit_to_size(camera_, own_camera(), size, renderer_.stage().size);
     }
   } catch (const std::exception& error) {
@@ -223,9 +228,8 @@ bool Player::set_parameter(const std::string& name, const SceneValue& value) {
 }
 
 /// What a slider that is drawn does is one act.
-void Player::begin_change(const std::string& name) {
-  const std::string act = "change of " + name;
-  if (undo_.last() != act || Clock::now() > changed_at_ + one_change) keep_for_undo(act, waiting_);
+bool Player::goes_on_changing(const std::string& name) const {
+  return undo_.last() == act_of_change(name) && Clock::now() <= changed_at_ + one_change;
 }
 
 void Player::take_keys() {
@@ -331,6 +335,7 @@ void Player::fulfil(const Wishes& wishes) {
   if (wishes.step) paused_ = single_step_ = true;
   if (wishes.parameter) set_parameter(wishes.parameter->first, wishes.parameter->second);
   if (wishes.edit) edit(*wishes.edit);
+  if (!wishes.told.empty()) tell(wishes.told);
   if (wishes.save_table) write_table();
   if (wishes.picture) save_picture();
   if (wishes.film) toggle_film();

@@ -9,7 +9,8 @@
 //   "hand"                   a hand came
 //   "parameter" and "value"  a parameter was changed
 //   "edit", "field", "value" a field of a thing was written
-//   "keep", "restore"        the state was kept under a number, or one put back: undo and redo
+//   "keep", "restore"        the state was kept under a number, or one put back: undo and redo; one of a scene that another
+//                            took the place of is that scene again, as it was left
 //   "restart"                the scene was opened anew
 //   "file" and "content"     a file was read that was not, or was another
 //   "reload"                 the scene was opened anew, and went on where it was

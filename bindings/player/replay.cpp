@@ -27,12 +27,6 @@ constexpr const char* home_as_recorded = "pantin:";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string set_text(const SceneValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  return std::get<std::string>(value);
-}
-
 }  // namespace
 
 Replay::Replay(Recording recording, const RunOptions& options, const std::string& home)
@@ -61,6 +55,7 @@ void Replay::start() {
   options_.saved = std::make_shared<SavedValues>(recording_.head.saved);
   contents_ = std::make_shared<const std::map<std::string, std::string>>(recording_.head.files);
   options_.forgiving = false;
+  kept_.clear();
   open();
   tick_ = 0;
   next_ = 0;
@@ -84,9 +79,8 @@ void Replay::go_on() {
   adopt(std::move(fresh));
 }
 
-void Replay::adopt(std::unique_ptr<Scene> fresh) {
+void Replay::adopt(std::shared_ptr<Scene> fresh) {
   positions_.clear();  // snapshots must not outlive their scene
-  kept_.clear();
   scene_ = std::move(fresh);
   openings_++;
 }
@@ -119,7 +113,7 @@ void Replay::check(const StateCheck& check) {
 /// What was refused when it was recorded is refused again.
 void Replay::change(const ParameterChange& change) {
   const auto before = options_.set;
-  options_.set[change.name] = set_text(change.value);
+  options_.set[change.name] = setting_text(change.value);
   try {
     if (!scene_->set_parameter(change.name, change.value)) open();
   } catch (const Error&) { options_.set = before; }
@@ -137,11 +131,25 @@ void Replay::find(const FileFound& file) {
   contents_ = std::make_shared<const std::map<std::string, std::string>>(std::move(changed));
 }
 
+void Replay::keep(const StateKept& kept) {
+  if (!needed_.contains(kept.number)) return;
+  Kept& state = kept_[kept.number];
+  state = {scene_, nullptr};
+  try {
+    state.state = scene_->take_snapshot();
+  } catch (const Error&) {}  // what cannot be kept was gone back to as a whole
+}
+
 void Replay::put_back(const StateRestored& restored) {
   const auto found = kept_.find(restored.number);
   require(found != kept_.end(), "replay: the recording goes back to state ", restored.number,
           ", which it has not kept");
-  scene_->restore(*found->second);
+  const Kept& kept = found->second;
+  if (kept.scene != scene_)
+    adopt(kept.scene);
+  else
+    scene_->restore(*kept.state);
+  take_parameters(*scene_, options_.set);
 }
 
 void Replay::do_act(const RecordedAct& act) {
@@ -151,8 +159,7 @@ void Replay::do_act(const RecordedAct& act) {
   if (const auto* to = std::get_if<ParameterChange>(&act.what)) change(*to);
   if (const auto* edited = std::get_if<FieldEdit>(&act.what)) edit(*edited);
   if (const auto* known = std::get_if<StateCheck>(&act.what)) check(*known);
-  if (const auto* kept = std::get_if<StateKept>(&act.what); kept && needed_.contains(kept->number))
-    kept_[kept->number] = scene_->take_snapshot();
+  if (const auto* kept = std::get_if<StateKept>(&act.what)) keep(*kept);
   if (const auto* restored = std::get_if<StateRestored>(&act.what)) put_back(*restored);
   if (const auto* file = std::get_if<FileFound>(&act.what)) find(*file);
   if (std::holds_alternative<GoneOn>(act.what)) go_on();

@@ -47,14 +47,19 @@ class Replay {
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
+  struct Kept {
+    std::shared_ptr<Scene> scene;
+    std::shared_ptr<const SceneSnapshot> state;  ///< null where another scene took its place
+  };
   void start();
   void open();
   void go_on();
-  void adopt(std::unique_ptr<Scene> fresh);
+  void adopt(std::shared_ptr<Scene> fresh);
   void look_at_files(const std::string& home);
   bool act();
   void do_act(const RecordedAct& act);
   void do_last();
+  void keep(const StateKept& kept);
   void put_back(const StateRestored& restored);
   void edit(const FieldEdit& edit);
   void find(const FileFound& file);
@@ -67,9 +72,9 @@ class Replay {
   Recording recording_;
   SceneOptions options_;
   FileContents contents_;  ///< of the files, as they are at the present tick
-  std::unique_ptr<Scene> scene_;
+  std::shared_ptr<Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back
-  std::map<std::uint64_t, std::shared_ptr<const SceneSnapshot>> kept_;
+  std::map<std::uint64_t, Kept> kept_;
   KeptPositions positions_;            ///< of the present scene
   std::vector<std::uint64_t> hashes_;  ///< (ticks) of states, as they were
   double since_position_ = 0.0;        ///< [s] of computing, since a place was kept or gone to

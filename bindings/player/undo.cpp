@@ -7,7 +7,14 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::size_t most_acts = 32;
+constexpr std::size_t most_acts = 32, most_scenes = 8;
+
+/// Scenes that lie in a row of acts, each of which has its own.
+std::size_t scenes_in(const auto& entries) {
+  std::size_t scenes = entries.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < entries.size(); i++) scenes += entries[i].scene != entries[i - 1].scene ? 1u : 0u;
+  return scenes;
+}
 
 std::string_view name_of_last(const auto& entries) { return entries.empty() ? std::string_view() : entries.back().act; }
 
@@ -18,24 +25,33 @@ std::string obstacle(const Scene& scene) {
 
 }  // namespace
 
-void Undo::begin(Scene& scene, const Times& times, const StepInput& waiting, const std::string& act) {
+void Undo::begin(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
+                 const std::string& act) {
   future_.clear();
-  if (!scene.why_not_restore().empty()) return past_.clear();
-  past_.push_back(keep(scene, times, waiting, act));
+  if (!scene->why_not_restore().empty()) return past_.clear();
+  past_.push_back(keep(scene, false, times, waiting, act));
   if (past_.size() > most_acts) past_.pop_front();
 }
 
-Undo::Entry Undo::keep(Scene& scene, const Times& times, const StepInput& waiting, const std::string& act) {
-  Entry entry{act, scene.take_snapshot(), times, waiting, ++states_};
+void Undo::replace(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
+                   const std::string& act) {
+  future_.clear();
+  past_.push_back(keep(scene, true, times, waiting, act));
+  while (past_.size() > most_acts || scenes_in(past_) > most_scenes) past_.pop_front();
+}
+
+Undo::Entry Undo::keep(const std::shared_ptr<Scene>& scene, bool replaced, const Times& times, const StepInput& waiting,
+                       const std::string& act) {
+  Entry entry{act, scene, replaced ? nullptr : scene->take_snapshot(), times, waiting, ++states_};
   if (on_state) on_state(entry.number, false);
   return entry;
 }
 
-bool Undo::undo(Scene& scene, Times& times, StepInput& waiting, std::string& told) {
+bool Undo::undo(std::shared_ptr<Scene>& scene, Times& times, StepInput& waiting, std::string& told) {
   return move(scene, times, waiting, past_, future_, "undo", told);
 }
 
-bool Undo::redo(Scene& scene, Times& times, StepInput& waiting, std::string& told) {
+bool Undo::redo(std::shared_ptr<Scene>& scene, Times& times, StepInput& waiting, std::string& told) {
   return move(scene, times, waiting, future_, past_, "redo", told);
 }
 
@@ -46,21 +62,26 @@ void Undo::clear() {
   future_.clear();
 }
 
-UndoState Undo::state(const Scene& scene) const {
+UndoState Undo::state(const std::shared_ptr<Scene>& scene) const {
   UndoState state{name_of_last(past_), name_of_last(future_), {}};
-  if (!can_restore(scene.world())) state.obstacle = [&scene] { return obstacle(scene); };
+  const auto another = [&](const Entries& entries) { return !entries.empty() && entries.back().scene != scene; };
+  if (!can_restore(scene->world()) && !another(past_) && !another(future_))
+    state.obstacle = [&at = *scene] { return obstacle(at); };
   return state;
 }
 
-bool Undo::move(Scene& scene, Times& times, StepInput& waiting, Entries& from, Entries& to, const char* does,
-                std::string& told) {
-  told = obstacle(scene);
+bool Undo::move(std::shared_ptr<Scene>& scene, Times& times, StepInput& waiting, Entries& from, Entries& to,
+                const char* does, std::string& told) {
+  const bool another = !from.empty() && from.back().scene != scene;
+  told.clear();
+  if (!another) told = obstacle(*scene);
   if (told.empty() && from.empty()) told = std::string("nothing to ") + does;
   if (!told.empty()) return false;
   try {
     const Entry entry = from.back();
-    Entry now = keep(scene, times, waiting, entry.act);
-    scene.restore(*entry.scene);
+    Entry now = keep(scene, another, times, waiting, entry.act);
+    if (!another) scene->restore(*entry.state);
+    scene = entry.scene;
     if (on_state) on_state(entry.number, true);
     from.pop_back();
     times = entry.times;

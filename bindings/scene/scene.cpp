@@ -40,4 +40,15 @@ std::vector<std::string> Scene::warnings() const {
 
 std::string Scene::why_not_restore() const { return pantin::why_not_restore(world()); }
 
+std::string setting_text(const SceneValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
+  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+void take_parameters(const Scene& scene, std::map<std::string, std::string>& set) {
+  for (const SceneParameter& p : scene.parameters())
+    if (p.value != p.initial || set.contains(p.name)) set[p.name] = setting_text(p.value);
+}
+
 }  // namespace pantin

@@ -88,4 +88,9 @@ class Scene {
   virtual CarriedOver go_on_from(Scene& old) = 0;
 };
 
+/// As `--set` gives it.
+std::string setting_text(const SceneValue& value);
+/// Sets what a scene's parameters are now, where it is not what they are without.
+void take_parameters(const Scene& scene, std::map<std::string, std::string>& set);
+
 }  // namespace pantin

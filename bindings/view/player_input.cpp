@@ -41,6 +41,10 @@ Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
 
 void PlayerInput::reset() {
   holds_.clear();
+  forget();
+}
+
+void PlayerInput::forget() {
   highlight_ = {};
   copied_point_ = {};
   copied_ = {};

@@ -49,6 +49,8 @@ class PlayerInput {
   Actions apply(const Gestures& gestures, const Frame& frame);
   /// The world was built anew: its hands are gone, and nothing is held.
   void reset();
+  /// Another world is in its place: nothing of the old one is copied or under the pointer.
+  void forget();
   /// The world was put back to an earlier state: its hands let go, and what was begun is not finished.
   void let_go(const World& world, StepInput& input);
   /// All hands stop what they do; false where none did anything.

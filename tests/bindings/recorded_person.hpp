@@ -1,5 +1,6 @@
 #pragma once
 // Somebody who plays with both hands and all tools while it is recorded, from a fixed series of numbers.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -66,7 +67,7 @@ class RecordedPerson {
            true});
     }
     if (chance(0.02)) {
-      undo_.begin(*scene_, times_, input, "act");
+      undo_.begin(scene_, times_, input, "act");
       input.commands.push_back(command());
     }
     if (done_ % 173 == 0) do_at_once();
@@ -96,20 +97,24 @@ class RecordedPerson {
   void go_back(bool again) {
     std::string told;
     StepInput waiting;  // is lost: hands move on
-    again ? undo_.redo(*scene_, times_, waiting, told) : undo_.undo(*scene_, times_, waiting, told);
+    again ? undo_.redo(scene_, times_, waiting, told) : undo_.undo(scene_, times_, waiting, told);
+    take_parameters(*scene_, options_.set);
   }
   void restart() {
-    adopt(reload_.open(path_, options_));
+    undo_.replace(scene_, times_, {}, "restart");
+    scene_ = reload_.open(path_, options_);
     recorder_->restarted();
   }
   void set(const std::string& name, double value) {
-    recorder_->parameter(name, value);
-    if (scene_->set_parameter(name, value)) {
-      options_.set[name] = to_text(value);
-      return;
-    }
     options_.set[name] = to_text(value);
-    adopt(reload_.open(path_, options_));
+    const auto& parameters = scene_->parameters();
+    const bool live = std::ranges::find(parameters, name, &SceneParameter::name)->live;
+    if (!live) undo_.replace(scene_, times_, {}, "change");
+    recorder_->parameter(name, value);
+    if (live)
+      scene_->set_parameter(name, value);
+    else
+      scene_ = reload_.open(path_, options_);
   }
   /// Saves a file of the scene, which goes on with it.
   void save(const std::string& text) {
@@ -121,7 +126,8 @@ class RecordedPerson {
       std::optional<player::Reloaded> seen = reload_.look(*scene_, path_, options_, clock_);
       if (!seen) continue;
       REQUIRE(seen->error == "");
-      adopt(std::move(seen->scene));
+      undo_.clear();
+      scene_ = std::move(seen->scene);
       return recorder_->gone_on();
     }
     FAIL("the file was not seen");
@@ -194,15 +200,11 @@ class RecordedPerson {
     c.value = c.kind == Command::Kind::control ? number() : 0.0;
     return c;
   }
-  void adopt(std::unique_ptr<Scene> scene) {
-    undo_.clear();
-    scene_ = std::move(scene);
-  }
 
   std::string path_;
   SceneOptions options_;
   player::Reload reload_;
-  std::unique_ptr<Scene> scene_;
+  std::shared_ptr<Scene> scene_;
   std::unique_ptr<player::Recorder> recorder_;
   player::Undo undo_;
   player::Times times_;

@@ -110,6 +110,19 @@ TEST_CASE("a recording of the window with all tools, undo, parameters and restar
   CHECK_THAT(recorded.player->failure(), Contains("oh"));
   recorded.tap(SDLK_r);
   recorded.frames(20);
+  recorded.use(SDLK_2, recorded.hinge(2) - vec(0, 0.5, 0), recorded.hinge(2) + vec(0, 0.5, 0));
+  recorded.player->set_parameter("links", 5.0);
+  recorded.frames(10);
+  recorded.tap(SDLK_r);
+  recorded.frames(10);
+  recorded.with_control(SDLK_z);  // the parameter: nothing was done before the restart
+  recorded.frames(10);
+  recorded.player->set_parameter("gravity", 2.0);
+  recorded.tap(SDLK_r);
+  recorded.frames(10);
+  recorded.with_control(SDLK_z);
+  recorded.frames(10);
+  recorded.with_control(SDLK_y);
   recorded.tap(SDLK_SPACE);
   recorded.tap(SDLK_PERIOD);
   recorded.use(SDLK_1, recorded.tip(), recorded.tip() + vec(-1, 0, 0));

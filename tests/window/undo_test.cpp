@@ -134,9 +134,48 @@ TEST_CASE("a play cannot be wound back, and the acts of a scene end with it", "[
   other.steps(1);
   pushed::tap(SDLK_r);
   other.frames(1);
-  other.with_control(SDLK_z);
   CHECK(hinges(other.world()).size() == 5);
-  CHECK(other.player->failure().empty());
+}
+
+TEST_CASE("a restart that loses what was done is undone, and done again", "[window]") {
+  const std::string more = GENERATE(as<std::string>(), "", "scene:play(function(wait) wait(100) end)");
+  Session session(more);
+  session.cut();
+  session.steps(4);
+  const std::uint64_t built = state_hash(session.world());
+  pushed::tap(SDLK_r);
+  pushed::tap(SDLK_SPACE);  // it plays once it starts again
+  session.frames(2);
+  const std::uint64_t again = state_hash(session.world());
+  CHECK(hinges(session.world()).size() == 5);
+  pushed::tap(SDLK_r);  // loses nothing
+  pushed::tap(SDLK_SPACE);
+  session.frames(2);
+  session.with_control(SDLK_z);
+  CHECK(state_hash(session.world()) == built);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == again);
+  session.with_control(SDLK_z);
+  session.steps(3);
+  CHECK(session.world().steps == 7);
+  session.with_control(SDLK_z);
+  CHECK(hinges(session.world()).size() == (more.empty() ? 5 : 4));  // a play cannot be wound back
+  CHECK(session.player->failure().empty());
+}
+
+TEST_CASE("what was done before a parameter rebuilt the scene comes back with the parameter's value", "[window]") {
+  Session session("scene:param('n', 1, { min = 1, max = 3, step = 1 })");
+  session.cut();
+  session.steps(2);
+  const std::uint64_t before = state_hash(session.world());
+  session.player->set_parameter("n", 2.0);
+  session.frames(1);
+  CHECK(hinges(session.world()).size() == 5);
+  session.with_control(SDLK_z);
+  CHECK(state_hash(session.world()) == before);
+  CHECK(session.player->scene().parameters()[0].value == SceneValue(1.0));
+  session.with_control(SDLK_z);
+  CHECK(hinges(session.world()).size() == 5);
 }
 
 TEST_CASE("two fingers pull at the chain in the window", "[window]") {

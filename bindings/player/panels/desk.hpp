@@ -24,6 +24,7 @@ struct Wishes {
   std::optional<FieldEdit> edit;
   std::optional<double> speed;  ///< times the scene's pace
   std::optional<std::pair<std::string, SceneValue>> parameter;
+  std::string told;  ///< why what was asked for is not what is done
 };
 
 /// Range of the speed, times the scene's pace.

@@ -75,7 +75,7 @@ class ParametersPane : public Pane {
     bool changed = false;
     if (p.min && p.max) {
       const bool wide = *p.min > 0.0 && *p.max >= 1000.0 * *p.min;
-      const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
+      const ImGuiSliderFlags flags = wide ? ImGuiSliderFlags_Logarithmic : 0;
       const double min = *p.min, max = *p.max;
       changed = ImGui::SliderScalar("##number", ImGuiDataType_Double, &value, &min, &max, format, flags);
     } else {
@@ -85,12 +85,25 @@ class ParametersPane : public Pane {
     tell(p);
     if (changed) {
       edited_ = p.name;
+      asked_ = value;
       number_ = allowed(p, value);
     }
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
+    if (done && edited_ == p.name && is_outside(p, asked_)) desk.wishes.told = range_told(p, asked_, number_);
     if (edited_ == p.name && ((changed && (p.live || desk.quick)) || done) && number_ != std::get<double>(p.value))
       wish(desk, p, number_);
     if (!ImGui::IsItemActive() && edited_ == p.name) edited_.clear();
+  }
+
+  static bool is_outside(const SceneParameter& p, double value) {
+    return (p.min && value < *p.min) || (p.max && value > *p.max);
+  }
+
+  static std::string range_told(const SceneParameter& p, double asked, double taken) {
+    const std::string range = p.min && p.max ? text("from ", *p.min, " to ", *p.max)
+                              : p.min        ? text("at least ", *p.min)
+                                             : text("at most ", *p.max);
+    return text(p.name, " is ", range, ": ", asked, " became ", taken);
   }
 
   /// The nearest value that the parameter may have.
@@ -107,7 +120,7 @@ class ParametersPane : public Pane {
   }
 
   std::string edited_;  ///< name of the parameter whose value is here, not in the scene
-  double number_ = 0.0;
+  double number_ = 0.0, asked_ = 0.0;
   std::string written_;
 };
 
