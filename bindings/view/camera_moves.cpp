@@ -32,6 +32,20 @@ Things that_play(const World& world, const Stage& stage) {
   return things;
 }
 
+/// The things with the place that they play in: walls, the ground, and floors right below or beside them.
+Bounds with_place(const World& world, const Things& things, double margin) {
+  const Bounds box = bounds(world, things);
+  Bounds all = with_ground(world, box, margin);
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  for (const ShapeId id : world.shapes.ids()) {
+    const Shape& shape = world.shapes[id];
+    if (shape.body || !std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
+    const Vec3 normal = matrix(shape.orientation)[2], foot = middle - normal * dot(middle - shape.at, normal);
+    if (norm(foot - middle) <= margin + 0.5 * norm(box.high - box.low)) all.add(foot);
+  }
+  return all;
+}
+
 bool sees_the_same(const Camera& a, const Camera& b) {
   return norm(a.target - b.target) + std::fabs(a.distance - b.distance) < 1e-9 * a.distance;
 }
@@ -41,6 +55,7 @@ bool sees_the_same(const Camera& a, const Camera& b) {
 void see_all(const World& world, const Stage& stage, double aspect, Camera& camera) {
   const std::optional<Vec3>& edges = world.settings.box;
   const Vec3 margin = vec(1, 1, 1) * (0.12 * stage.unit);
+  const double margin_of_place = 0.5 * stage.size;
   const auto framed = [&](const Bounds& box) {
     Camera to = camera;
     to.frame(box.low - margin, box.high + margin, aspect);
@@ -50,10 +65,10 @@ void see_all(const World& world, const Stage& stage, double aspect, Camera& came
   const bool some_are_far = all.bodies.size() + all.free_points.size() > near.bodies.size() + near.free_points.size();
   const bool some_are_near = near.bodies.size() + near.free_points.size() > 0;
   if (edges || !some_are_far || !some_are_near) {
-    camera = framed(edges ? Bounds{zero3(), *edges} : bounds(world, all));
+    camera = framed(edges ? Bounds{zero3(), *edges} : with_place(world, all, margin_of_place));
     return;
   }
-  const Camera to = framed(bounds(world, near));
+  const Camera to = framed(with_place(world, near, margin_of_place));
   camera = sees_the_same(camera, to) ? framed(bounds(world, all)) : to;
 }
 

@@ -165,20 +165,12 @@ void include_flight(const World& world, const Emitter& emitter, Stage& stage) {
   }
 }
 
-/// The world's shapes, as far as they are near what moves.
 void include_ground(const World& world, Stage& stage) {
-  const bool alone = stage.empty;
-  const double margin = 0.5 * largest(stage.upper - stage.lower);
-  const Vec3 low = stage.lower - vec(1, 1, 1) * margin, high = stage.upper + vec(1, 1, 1) * margin;
-  for (const ShapeId id : world.shapes.ids()) {
-    const Shape& shape = world.shapes[id];
-    if (shape.body || std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
-    const Bounds box = bounds_of(shape.geometry, pose_of(world, shape));
-    for (Vec3 corner : {box.low, box.high}) {
-      for (int i = 0; i < 3 && !alone; i++) corner[i] = std::clamp<double>(corner[i], low[i], high[i]);
-      include(stage, corner);
-    }
-  }
+  const Bounds things = stage.empty ? Bounds{} : Bounds{stage.lower, stage.upper};
+  const Bounds all = with_ground(world, things, 0.5 * largest(stage.upper - stage.lower));
+  if (all.empty()) return;
+  include(stage, all.low);
+  include(stage, all.high);
 }
 
 /// The highest level plane that things are above.
@@ -221,6 +213,22 @@ void find_box(const World& world, Stage& stage) {
 }
 
 }  // namespace
+
+Bounds with_ground(const World& world, const Bounds& things, double margin) {
+  const Bounds near = widened(things, margin);
+  Bounds all = things;
+  for (const ShapeId id : world.shapes.ids()) {
+    const Shape& shape = world.shapes[id];
+    if (shape.body || std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
+    const Bounds box = bounds_of(shape.geometry, pose_of(world, shape));
+    for (Vec3 corner : {box.low, box.high}) {
+      for (int i = 0; i < 3 && !things.empty(); i++)
+        corner[i] = std::clamp<double>(corner[i], near.low[i], near.high[i]);
+      all.add(corner);
+    }
+  }
+  return all;
+}
 
 Stage find_stage(const World& world) {
   Stage stage;

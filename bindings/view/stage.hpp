@@ -1,4 +1,5 @@
 #pragma once
+#include "base/bounds.hpp"
 #include "view/camera.hpp"
 #include "world/world.hpp"
 
@@ -17,6 +18,8 @@ struct Stage {
 /// Of the stage's size: what is farther from its middle plays no more.
 inline constexpr double far_away = 10.0;
 
+/// A box of things with the world's own shapes, but for half spaces, so far as they are not farther from it than `margin` [m].
+Bounds with_ground(const World& world, const Bounds& things, double margin);
 Stage find_stage(const World& world);
 /// A camera that sees the whole stage; `aspect` is width/height.
 Camera first_camera(const Stage& stage, double aspect);

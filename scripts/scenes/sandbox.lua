@@ -1,6 +1,8 @@
 -- A floor, two walls and a few things: build with the tools below. 8 makes rods, balls, boxes and wheels; 3 ties them.
 -- Space pauses, to build in peace; ctrl + shift + s saves what was built as a scene like this one.
-local space = scene:param("space", false, { help = "build in space, not in a plane" })
+local dimensions = scene:param("dimensions", 2, { choices = { 2, 3 },
+  help = "2: all that is built stays in the plane of the picture; 3: it is built in space, and the right button turns the view" })
+local space = dimensions == 3
 
 scene.title = "Sandbox"
 scene.duration = 60

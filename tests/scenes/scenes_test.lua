@@ -196,8 +196,8 @@ test("plates: the ball breaks each, and no piece goes through the floor", functi
 end)
 
 test("the sandbox stands, and falls asleep, in a plane and in space", function()
-  for _, space in ipairs { false, true } do
-    local sandbox = open("scenes/sandbox.lua", { space = space })
+  for dimensions = 2, 3 do
+    local sandbox = open("scenes/sandbox.lua", { dimensions = dimensions })
     sandbox:advance(5)
     expect(sandbox.energy.kinetic):equal(0)
     expect(sandbox.error.worst_energy):below(1e-5)
