@@ -76,15 +76,31 @@ float draw_variants(ToolChoice& choice, float middle, float bottom) {
   return top;
 }
 
+/// A text on a ground, over panels too.
+void draw_label(const std::string& label, ImVec2 at, ImVec2 size, float pad) {
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
+  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(ImGuiCol_Text), label.c_str(), nullptr, size.x + 1.0f);
+}
+
 void draw_told(const std::string& told, float middle, float bottom, float scale) {
   if (told.empty()) return;
   const float pad = 7.0f * scale;
   const ImVec2 size = ImGui::CalcTextSize(told.c_str(), nullptr, false, 2.0f * middle - 4.0f * pad);
-  const ImVec2 at = {middle - 0.5f * size.x, bottom - size.y - 2.0f * pad};
-  ImDrawList& list = *ImGui::GetForegroundDrawList();  // also over panels
-  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
-                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
-  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(ImGuiCol_Text), told.c_str(), nullptr, 2.0f * middle - 4.0f * pad);
+  draw_label(told, {middle - 0.5f * size.x, bottom - size.y - 2.0f * pad}, size, pad);
+}
+
+/// To the left of the tools: "make rod (8)".
+void draw_chosen(const ToolChoice& choice, ImVec2 corner, float height, float scale) {
+  const Tool& tool = choice.tool();
+  const char* const variant = tool.variants.empty() ? "" : tool.variants[choice.variant];
+  const std::string label = text(tool.name, *variant ? " " : "", variant, " (",
+                                 key_for(KeyUse::tool, static_cast<std::size_t>(tool.kind)), ")");
+  const float pad = 5.0f * scale;
+  const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+  const ImVec2 at = {corner.x - size.x - 3.0f * pad, corner.y + 0.5f * (height - size.y)};
+  if (at.x > 2.0f * pad) draw_label(label, at, size, pad);
 }
 
 }  // namespace
@@ -109,10 +125,12 @@ PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::s
     if (button(tool.icon, tool.name, hint, chosen, true, {side, side}) && !chosen) choice.choose(tool.kind);
   }
   const PaletteWish wish = draw_undo(undo, side);
-  const float top = ImGui::GetWindowPos().y;
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float tall = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar(3);
-  draw_told(told, 0.5f * width, draw_variants(choice, 0.5f * width, top), scale);
+  draw_chosen(choice, corner, tall, scale);
+  draw_told(told, 0.5f * width, draw_variants(choice, 0.5f * width, corner.y), scale);
   return wish;
 }
 

@@ -19,7 +19,7 @@ struct PaletteWish {
 };
 
 /// A row of buttons of the tools, and of undo and redo, at the lower edge of a picture of that size [px], the chosen one marked, and what it can be
-/// of; above it what hands were told last. Within a frame of Dear ImGui.
+/// of; beside it, where there is room, its name and key; above it what hands were told last. Within a frame of Dear ImGui.
 PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::string& told, float width, float height);
 
 }  // namespace pantin
