@@ -333,6 +333,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
   replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   add_look(*replay, texts);
   add_limits(*replay, options.run, texts);
+  add_untrusted(*replay, options.run);
   add_threads(*replay, options.run);
   CLI::App* report = app.add_subcommand(
       "report",
@@ -342,6 +343,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
       ->type_name("PREFIX");
   add_settings(*report, texts);
   add_limits(*report, options.run, texts);
+  add_untrusted(*report, options.run);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
   add_untrusted(*test, options.run);

@@ -1,9 +1,11 @@
 // `pantin replay FILE`.
+#include "player/confine.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/progress.hpp"
 #include "player/replay.hpp"
 #include "player/replay_window.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 namespace {
@@ -21,6 +23,8 @@ int replay_in_window(const RunOptions& options, const std::string& file, const s
 
 int replay_unseen(RunOptions options, const std::string& file, const std::string& home) {
   options.headless = true;
+  options.record.clear();  // it is read
+  if (options.untrusted) confine(reach_of(options, file, home));
   Interrupt interrupt;
   Replay replay(read_recording(file), options, home);
   for (const std::string& remark : replay.remarks()) say(remark);
@@ -44,6 +48,8 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
 }  // namespace
 
 int replay(const RunOptions& options, const std::string& file, const std::string& home) {
+  if (options.untrusted && !options.headless)
+    throw UsageError("--untrusted replays without a window: add --headless");
   if (options.headless) return replay_unseen(options, file, home);
   try {
     if (const Display display; display.seen()) return replay_in_window(options, file, home);

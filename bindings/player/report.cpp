@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "player/confine.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/machine.hpp"
@@ -34,8 +35,14 @@ class StatusLine {
 
 int report(const RunOptions& options, const std::string& prefix, const std::string& home) {
   const Interrupt interrupt;
-  const std::string start = prefix.empty() ? scene_name(find_scene(options.scene, home)) + "-report" : prefix;
+  const std::string scene = find_scene(options.scene, home);
+  const std::string start = prefix.empty() ? scene_name(scene) + "-report" : prefix;
   Output json(start + ".json"), picture(start + ".svg");
+  if (options.untrusted) {
+    RunOptions writes = options;
+    writes.outputs = {start + ".json", start + ".svg"};
+    confine(reach_of(writes, scene, home));
+  }
   Study studied;
   {
     const StatusLine line;

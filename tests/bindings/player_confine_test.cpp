@@ -11,13 +11,15 @@ using Catch::Contains;
 
 TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but its folder and its outputs") {
   if (sources::preload("attacks").empty()) return;
-  const std::string command = GENERATE("run", "test");
+  const std::string command = GENERATE("run", "report", "test");
   support::Folder folder;
   std::filesystem::create_directory(folder.path / "out");
   std::filesystem::create_symlink("/etc/passwd", folder.path / "link");
-  support::write_file(folder / "attacked.lua", command == "run" ? support::swing : "test('nothing', function() end)");
+  support::write_file(folder / "attacked.lua", command == "test" ? "test('nothing', function() end)" : support::swing);
   std::vector<std::string> arguments = {command, "--untrusted", "attacked.lua"};
+  const bool writes = command == "run" || command == "report";
   if (command == "run") arguments.insert(arguments.end(), {"--until", "0.1", "--out", "out/table.csv"});
+  if (command == "report") arguments.insert(arguments.end(), {"--until", "0.1", "--out", "out/told"});
   support::Process::Options options = support::options(arguments, folder.path);
   options.environment.push_back("LD_PRELOAD=" + sources::preload("attacks"));
   const support::Finished done = support::finish(options);
@@ -25,12 +27,12 @@ TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but i
   CHECK(done.code == 0);
   CHECK_THAT(done.err, Contains("ALLOWED reads the scene's folder"));
   CHECK_THAT(done.err, Contains("ALLOWED starts a thread"));
-  CHECK((done.err.find("ALLOWED writes beside the outputs") != std::string::npos) == (command == "run"));
+  CHECK((done.err.find("ALLOWED writes beside the outputs") != std::string::npos) == writes);
   CHECK(support::lines(done.err) >= 23);
   std::string allowed;
   for (std::size_t at = 0; (at = done.err.find("ALLOWED ", at)) != std::string::npos; at++)
     allowed += done.err.substr(at + 8, done.err.find('\n', at) - at - 8) + "; ";
-  CHECK(allowed == (command == "run" ? "reads the scene's folder; writes beside the outputs; starts a thread; "
+  CHECK(allowed == (writes ? "reads the scene's folder; writes beside the outputs; starts a thread; "
                                      : "reads the scene's folder; starts a thread; "));
 }
 
