@@ -65,7 +65,7 @@ struct ConstraintRule {
   void (*start)(const Model& model, Constraint& constraint, double tolerance) = nullptr;
   /// What it misses now, but for what it still attracts [m]; null: nothing is told.
   double (*gap)(const Model& model, const Constraint& constraint) = nullptr;
-  /// A length that goes with it, for what counts as small [m]; null: it has none.
+  /// A length that goes with it, for what counts as small [m]; 0 or null: it has none.
   double (*size)(const Constraint& constraint) = nullptr;
   /// Distance or angle that it has now [m], [rad]; null: it has no such number.
   double (*value)(const Model& model, const Constraint& constraint) = nullptr;
@@ -97,6 +97,8 @@ inline bool is_drawn_in(const Constraint& c) {
 inline double present_gap(const Model& model, const Constraint& c) {
   return rule_of(c).gap == nullptr ? 0.0 : rule_of(c).gap(model, c);
 }
+/// A length that goes with a constraint, for what counts as small [m]; 0: it has none.
+inline double size_of(const Constraint& c) { return rule_of(c).size == nullptr ? 0.0 : rule_of(c).size(c); }
 /// Distance or angle that it has now [m], [rad].
 inline double present_value(const Model& model, const Constraint& c) { return rule_of(c).value(model, c); }
 /// A constraint starts anew: what is far from where it wants it is attracted, a violation within `tolerance`, relative to

@@ -39,6 +39,9 @@ double gap(const Model& model, const Constraint& c) {
   return std::fmax(0.0, c.a ? past : past * lever(model, c));
 }
 
+/// Of a distance the end that is not open.
+double size(const Constraint& c) { return !c.a ? 0.0 : std::isfinite(c.high) ? c.high : c.low; }
+
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
   return {c.a ? between_points(c, rod_row) : angular_row(c, turn_row)};
 }
@@ -64,6 +67,7 @@ const ConstraintRule limit_rule = {
     .directions = no_direction,
     .start = start,
     .gap = gap,
+    .size = size,
     .value = value,
     .rows = rows,
     .load = load,

@@ -29,16 +29,10 @@ void approach(Violation& away, Violation& rate, double h, double tau, double lea
   if (size(away) <= least && size(rate) * tau <= least) away = rate = Violation{};
 }
 
-/// A length or distance that goes with it [m].
-double length_of(const World& world, const Constraint& c) {
-  const ConstraintRule& rule = rule_of(c);
-  return rule.size != nullptr ? rule.size(c) : rule.value != nullptr ? rule.value(world, c) : 0.0;
-}
-
 /// What is left of a violation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
 double least_violation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
-  if (!c.progress()) return 1e-14 * std::max({size_of(world, c.a), largest(c.position.now), length_of(world, c)});
+  if (!c.progress()) return 1e-14 * std::max({size_of(world, c.a), largest(c.position.now), size_of(c)});
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
   return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
 }

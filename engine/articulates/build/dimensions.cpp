@@ -62,7 +62,7 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   for (const Row& row : a.rows) {
     if (row.condition >= 0 && !pulls_by_law(row)) {
       const Constraint& c = model.constraints[condition(a, row).constraint];
-      if (rule_of(c).size != nullptr) lengths.push_back(rule_of(c).size(c));
+      if (const double size = size_of(c); size > 0.0) lengths.push_back(size);
     }
     if (pulls_by_law(row)) lengths.push_back(condition(a, row).stiff->first_length());
     if (row.lever > 0.0) {

@@ -1,0 +1,43 @@
+// The length of an articulate, of which all its tolerances are multiples.
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include "edit/constrain.hpp"
+#include "laws/library.hpp"
+#include "step/step.hpp"
+#include "support/cases.hpp"
+
+using namespace pantin;
+
+namespace {
+
+PointId mass_at(World& world, Vec3 at) {
+  ParticleDef def;
+  def.at = at;
+  return cases::point_of(world, add_particle(world, def));
+}
+
+/// Where a particle that another holds by a limit is after a second on a spring, in units of `length` [m].
+Vec3 orbit(double length) {
+  World world;
+  world.settings.gravity = zero3();
+  const PointId a = mass_at(world, length * vec(1, -1, 0));
+  ConnectionDef spring;
+  spring.ends = {{world.points[a].particle}, {{}, length * vec(0, 2, 0)}};
+  LawArguments arguments;
+  arguments.numbers = {{"stiffness", 10.0}, {"length", 0.0}};
+  add_connection(world, std::make_shared<const Law>(make_library_law("spring", arguments)[0]), spring);
+  add_limit(world, a, mass_at(world, length * vec(2, -1, 0)), {0.5 * length, 1.2 * length, 0.1});
+  advance(world, 1.0);
+  return position(world, a) / length;
+}
+
+}  // namespace
+
+TEST_CASE("dimensions: particles within limits of their distance move alike at the scale of atoms and of planets") {
+  const double length = GENERATE(1e-10, 1e-5, 1e7, 1e12);
+  CAPTURE(length);
+  const Vec3 at = orbit(length), usual = orbit(1.0);
+  REQUIRE(norm(usual - vec(1, -1, 0)) > 0.1);
+  CHECK(norm(at - usual) < 1e-7);
+}
