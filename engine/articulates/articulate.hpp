@@ -102,7 +102,7 @@ struct DriftReport {
   double unreached = 0.0;             // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double nonconservative_work = 0.0;  // [J] of solved laws without energy that do not depend on velocities
   double damped = 0.0;                // [J] of those that do, of what settles, and of what is swallowed
-  double work = 0.0;                  // [J] of the anchors, changing lengths, pushes and torques
+  double hand = 0.0;                  // [J] of the anchors, changing lengths, pushes and torques
   double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
   double after_edit = 0.0;            // [J] of making velocities consistent after an edit
@@ -114,9 +114,9 @@ struct DriftReport {
   std::uint32_t evaluations = 0;  // of a tree's rates
   double returned = 0.0;          // [J] given back of what the projection took
 
-  double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
+  double outside() const { return hand + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
-    work += done.anchors * sign;
+    hand += done.anchors * sign;
     motor += done.angular_rows * sign;
   }
 };

@@ -56,7 +56,7 @@ void project_function(Condition& c, Vec3 gradient, bool holds, double slope) {
 
 double missing(const Condition& c, double low, double high) {
   if (c.ranged) return std::fmax(high, 0.0) + std::fmin(low, 0.0);
-  return std::isinf(c.upper) && std::isinf(c.stalled) ? low : 0.0;
+  return std::isinf(c.upper) && std::isinf(c.stall_force) ? low : 0.0;
 }
 
 }  // namespace pantin

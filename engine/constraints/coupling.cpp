@@ -140,7 +140,7 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.extent = std::fabs(v.angle) * row.lever;
 }
 
-bool tells_load(const Condition& condition, const Row& row, const Constraint& c) {
+bool tells_force(const Condition& condition, const Row& row, const Constraint& c) {
   if (c.coupled().empty()) return true;
   return !condition.turns_axis && (condition.index == 0 || (row.lever == 0.0 && c.coupled()[0].body_a));
 }
@@ -148,7 +148,7 @@ bool tells_load(const Condition& condition, const Row& row, const Constraint& c)
 void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
   CoupledValue& v = c.as<CouplingData>().values[condition.index];
   if (v.body_a) v.angle = condition.angle1;
-  if (!tells_load(condition, row, c)) return;
+  if (!tells_force(condition, row, c)) return;
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     return;

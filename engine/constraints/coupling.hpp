@@ -39,9 +39,9 @@ constexpr ConstraintRule coupling_rule(KeptNumber keeps,
   return rule;
 }
 
-/// Whether the load of a row is what its constraint tells: of a pulley that of the first side, of other couplings those of the
+/// Whether the force of a row is what its constraint tells: of a pulley that of the first side, of other couplings those of the
 /// first thing that turns and of what moves.
-bool tells_load(const Condition& condition, const Row& row, const Constraint& constraint);
+bool tells_force(const Condition& condition, const Row& row, const Constraint& constraint);
 
 // See constraints/load.hpp.
 void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);

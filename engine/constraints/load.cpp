@@ -28,9 +28,9 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.value_rate = row.lever * (c.number.rate + c.attract.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
-  condition.upper = condition.jammed > 0.0 ? 0.0 : std::fmin(c.max_torque / row.lever, condition.strongest);
-  const double given = norm(row.f), driven_back = std::fmin(1.001 * condition.stalled, condition.upper);
-  if (given < 0.5 * condition.stalled || given > driven_back) condition.stalled = infinity;
+  condition.upper = condition.jam_force > 0.0 ? 0.0 : std::fmin(c.max_torque / row.lever, condition.bound_in_touch);
+  const double given = norm(row.f), driven_back = std::fmin(1.001 * condition.stall_force, condition.upper);
+  if (given < 0.5 * condition.stall_force || given > driven_back) condition.stall_force = infinity;
   condition.lower = -condition.upper;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();

@@ -78,12 +78,12 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
-  double yields_by = 0.0;     // [m/N] how far it yields per force
+  double stall_force = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
+  double yields_by = 0.0;         // [m/N] how far it yields per force
   // [N] bound of a motor without `max_torque` while its articulate touches something: of its torque over its lever
-  double strongest = infinity;
+  double bound_in_touch = infinity;
   // [N] what such a motor gives at its bound while contacts stop it; it gives nothing in the drift then
-  double jammed = 0.0;
+  double jam_force = 0.0;
   bool ranged = false;  // low < high
   Bent bent = Bent::nothing;
   bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then

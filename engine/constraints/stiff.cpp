@@ -202,10 +202,10 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   bond.mean_rate = (r1 - r0) / h;
   stiffness += std::fabs(Q);
   const Vec3 displacement = row.d1 - row.d0;
-  const double weight = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
-  row.residual = missed * weight;
-  c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
-  c.C = identity33() * weight;
+  const double to_metres = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
+  row.residual = missed * to_metres;
+  c.M = (identity33() * Q + outer(e * slope, row.d1)) * to_metres;
+  c.C = identity33() * to_metres;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
   const double least = 2e-3 * norm(displacement) / (h * h * context.mobility);
   const double work = std::fabs(dot(missed, displacement));

@@ -8,12 +8,12 @@ namespace {
 
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
-  const double kappa = context.kappa(), weight = kappa / (1.0 + kappa / c.yields_by);
+  const double kappa = context.kappa(), to_metres = kappa / (1.0 + kappa / c.yields_by);
   const double wanted = -r.above_low / c.yields_by, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
-  row.residual = (row.f - r.n * given) * weight;
-  c.M = given == wanted ? outer(r.n, r.gradient) * (weight / c.yields_by) : zero33();
-  c.C = identity33() * weight;
+  row.residual = (row.f - r.n * given) * to_metres;
+  c.M = given == wanted ? outer(r.n, r.gradient) * (to_metres / c.yields_by) : zero33();
+  c.C = identity33() * to_metres;
   return norm(row.residual);
 }
 
@@ -21,7 +21,7 @@ double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
   const double low = c.ranged ? low_end(c) : c.kept_value, high = c.ranged ? high_end(c) : c.kept_value;
   const ConstraintFunction function{mean_axis(row), angle_gradient(row), value - low, value - high};
-  if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, function, context);
+  if (std::isfinite(c.stall_force)) return evaluate_yielding(row, c, function, context);
   return evaluate_function(row, c, function, context);
 }
 

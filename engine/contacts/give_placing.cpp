@@ -45,7 +45,7 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
 /// Whether contacts stop a motor that has no limit but that of what touches.
 bool is_jammed(const IslandScalar& s, const ScalarRow& row, const Condition& c) {
   constexpr double moves = 1e-2;  // of the wanted velocity
-  if (std::isinf(c.strongest) || !s.is_at_bound()) return false;
+  if (std::isinf(c.bound_in_touch) || !s.is_at_bound()) return false;
   return (s.u - s.bias) * row.wanted <= moves * row.wanted * row.wanted;
 }
 

@@ -45,30 +45,30 @@ void bound_motors(Articulate& a, const Model& model, const Articulates& articula
     const Constraint& of = model.constraints[c.constraint];
     const double turned = std::fabs(of.number.now - of.number.previous),
                  speed = std::max(std::fabs(of.number.rate), turned / settings.h), given = norm(r.f) * r.lever,
-                 last = c.strongest * r.lever;
+                 last = c.bound_in_touch * r.lever;
     const Turned all = all_about(a.nodes[static_cast<std::size_t>(r.a)].x0);
     const double torque = 2.0 * all.inertia * speed / settings.h +
                           times_weight * norm(settings.gravity) * std::sqrt(all.mass * all.inertia) +
                           (given < 0.5 * last ? 2.0 * given : 0.0);
-    c.strongest = torque / r.lever;
+    c.bound_in_touch = torque / r.lever;
   }
 }
 
 void jam(Condition& motor) {
-  motor.jammed = motor.upper;
+  motor.jam_force = motor.upper;
   motor.lower = motor.upper = 0.0;
 }
 
 void end_jams(Articulate& a) {
   for (Condition& c : a.conditions) {
-    if (c.jammed == 0.0) continue;
-    c.upper = std::exchange(c.jammed, 0.0);
+    if (c.jam_force == 0.0) continue;
+    c.upper = std::exchange(c.jam_force, 0.0);
     c.lower = -c.upper;
   }
 }
 
 void free_motors(Articulate& a) {
-  for (Condition& c : a.conditions) c.strongest = infinity;
+  for (Condition& c : a.conditions) c.bound_in_touch = infinity;
 }
 
 }  // namespace pantin

@@ -85,7 +85,7 @@ void drift_bodies(World& world, Move move) {
 }
 
 void post_work(World& world, const DriftReport& report) {
-  post(world, Source::hand, report.work);
+  post(world, Source::hand, report.hand);
   post(world, Source::motor, report.motor);
   post(world, Source::damper, report.damped);
   post(world, Source::limit, report.limit);
@@ -153,7 +153,7 @@ void tell_stalled(World& world, const Articulate& a) {
     if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
   if (limit == nullptr) return;
   for (const Condition& c : a.conditions)
-    if (std::isfinite(c.stalled) && std::isinf(c.upper))
+    if (std::isfinite(c.stall_force) && std::isinf(c.upper))
       warn_once(world, text(describe_tie(world, a, row(a, c)), " stalls: "),
                 text(describe_tie(world, a, *limit), " does not let it turn"));
 }

@@ -29,10 +29,10 @@ bool stall_motors(Articulate& a, double step) {
     const Row& r = row(a, c);
     const double displacement = std::fabs(displacement_of(c));
     const bool yields = limits || std::isfinite(c.upper);
-    if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || displacement == 0.0) continue;
+    if (!is_motor(r, c) || !yields || std::isfinite(c.stall_force) || displacement == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (step * step));
-    c.yields_by = displacement / c.stalled;
+    c.stall_force = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (step * step));
+    c.yields_by = displacement / c.stall_force;
     stalled = true;
   }
   return stalled;
@@ -41,12 +41,12 @@ bool stall_motors(Articulate& a, double step) {
 void strengthen_stalled(Articulate& a, double step) {
   constexpr double most_needed = 1e4;  // more would leave few digits to what else there is
   for (Condition& c : a.conditions) {
-    if (std::isinf(c.stalled) || std::isinf(c.upper)) continue;
+    if (std::isinf(c.stall_force) || std::isinf(c.upper)) continue;
     const double displacement = std::fabs(displacement_of(c)),
                  enough = most_needed * displacement / (step * step * mobility(a, row(a, c)));
-    const double more = std::fmin(std::fmin(10.0 * c.stalled, c.upper), enough);
-    if (!(more > c.stalled)) continue;
-    c.stalled = more;
+    const double more = std::fmin(std::fmin(10.0 * c.stall_force, c.upper), enough);
+    if (!(more > c.stall_force)) continue;
+    c.stall_force = more;
     c.yields_by = displacement / more;
   }
 }

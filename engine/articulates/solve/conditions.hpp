@@ -9,7 +9,7 @@ namespace pantin {
 /// Inertia of all nodes about a position, as if they were one, [kg m²].
 double inertia_about(const Articulate& articulate, Vec3 position);
 /// Limits are stronger than motors, and all else than motors of limited torque: where a step of `step` [s] cannot be solved,
-/// motors may miss their targets by as far as they were to move in it; until they give less than half of `stalled`, or are driven
+/// motors may miss their targets by as far as they were to move in it; until they give less than half of `stall_force`, or are driven
 /// back. False
 /// where that changes nothing.
 bool stall_motors(Articulate& articulate, double step);

@@ -127,7 +127,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
     return false;
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
-  if (acts_at_distance(a)) a.angular_at_distance += turned_at_distance(a, h);
+  if (acts_at_distance(a)) a.angular_at_distance += angular_momentum_at_distance(a, h);
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;

@@ -89,8 +89,8 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
     return fallback_step(a, settings, settings.step, report);
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
-    report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
-    if (n.turns) report.work += dot(n.torque, n.cayley);
+    report.hand += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
+    if (n.turns) report.hand += dot(n.torque, n.cayley);
     commit(n);
   }
   measure_gaps(a);

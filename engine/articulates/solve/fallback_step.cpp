@@ -61,7 +61,7 @@ void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     n.P0 += transposed_times(n.R0, n.torque) * h;
     n.spin0 = n.inverse_inertia * n.P0;
   }
-  report.work += kinetic_energy(a) - before;
+  report.hand += kinetic_energy(a) - before;
   for (Node& n : a.nodes) n.p0 += gravity * (n.mass * h);
 }
 
@@ -71,7 +71,7 @@ void hold_stops(Articulate& a) {
     if (row.condition < 0) continue;
     Condition& c = condition(a, row);
     if (!c.ranged && std::isinf(c.upper)) continue;
-    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.stalled);
+    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.stall_force);
   }
   hold_with_heads(a);
 }
@@ -311,7 +311,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
     if (nothing_driven(a))
       stay(a, h, free, momenta);
     else
-      report.work += energy.change();
+      report.hand += energy.change();
   }
   energy.tell();
   for (Row& row : a.rows)

@@ -61,7 +61,7 @@ Momenta momenta_of(const Articulate& a) {
   return m;
 }
 
-Vec3 turned_at_distance(const Articulate& a, double h) {
+Vec3 angular_momentum_at_distance(const Articulate& a, double h) {
   Vec3 sum = zero3();
   for (const Row& row : a.rows)
     if (row.lever == 0.0) sum += cross(row.d0 + row.d1, row.f) * (0.5 * h);

@@ -24,7 +24,7 @@ inline void add_locked_inertia(Mat3& sum, const Node& n, Vec3 X) {
 }
 Momenta momenta_of(const Articulate& articulate);
 /// What the rows' forces of a step of h [s], acting at a distance, did to the angular momentum [kg m²/s].
-Vec3 turned_at_distance(const Articulate& articulate, double h);
+Vec3 angular_momentum_at_distance(const Articulate& articulate, double h);
 /// Gives it these momenta again. Points that all come to one position have nothing to turn; what would take more energy than
 /// all the motion has stays lost. Returns the energy that this gave [J].
 double restore_momenta(Articulate& articulate, const Momenta& wanted);

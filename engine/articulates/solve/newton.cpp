@@ -384,10 +384,10 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       c.mean_rate = c.stiff->mean_rate;
       continue;
     }
-    if (keeps_to_position(r) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
+    if (keeps_to_position(r) && r.lever == 0.0) report.hand += dot(r.f, c.position1 - c.position0);
     if (!c.works_along_d) continue;
     const bool still = c.whole_value0 == c.whole_value1;
-    double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;
+    double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.hand;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);
   }
 }
@@ -397,7 +397,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   if (!iterate(a, h, gravity, report)) return false;
   Lanes pushed = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);
-  report.work += sum(pushed);
+  report.hand += sum(pushed);
   add_work_of_rows(a, report);
   return true;
 }

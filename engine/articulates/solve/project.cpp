@@ -289,7 +289,7 @@ namespace {
 
 /// What touches may stop a motor more suddenly than its force could make good: rows of limited force that would need more
 /// than it in h [s] give way.
-void find_overdriven(Articulate& a, double h) {
+void let_overdriven_give_way(Articulate& a, double h) {
   for (Condition& c : a.conditions) c.gives_way = false;
   if (std::none_of(a.conditions.begin(), a.conditions.end(), is_limited)) return;
   begin_answers(a, 0.0);
@@ -307,10 +307,10 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
   Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
   momenta.angular -= std::exchange(a.angular_at_distance, zero3());
   if (a.fell_back || a.forbids_nothing) {
-    if (at_distance) report.work += restore_momenta(a, momenta);
+    if (at_distance) report.hand += restore_momenta(a, momenta);
     return;
   }
-  if (a.touches) find_overdriven(a, settings.full);
+  if (a.touches) let_overdriven_give_way(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   set_velocity_constraints(a);
   bool reuse = may_use_newton_factor(a);
@@ -340,7 +340,7 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
   tell_momenta(a);
   if (at_distance) {
     const double given = restore_momenta(a, momenta);
-    report.work += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
+    report.hand += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   const bool one_sided = is_one_sided(a);
   if (one_sided && !a.sums_impulses) {  // no half is carried, so all of it belongs to this step

@@ -56,7 +56,7 @@ ScalarRow row_of_motor(const Row& row, Condition c) {
   ScalarRow s;
   s.terms.push_back({c.row, axis_of(c.kept)});
   s.wanted = dot(c.wanted, s.terms.front().along);
-  s.upper = c.jammed > 0.0 ? c.jammed : c.upper;
+  s.upper = c.jam_force > 0.0 ? c.jam_force : c.upper;
   s.lower = -s.upper;
   return s;
 }
