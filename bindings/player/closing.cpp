@@ -1,5 +1,6 @@
 #include "player/closing.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <sstream>
@@ -27,6 +28,18 @@ std::string suspects(const World& world) {
   std::string names;
   for (const std::string& name : law_ledger(world).without_energy) names += text(names.empty() ? "" : ", ", name);
   return names.empty() ? "" : text("; without an energy of their own act ", names);
+}
+
+/// Whether ties contradict each other, or are pulled farther than they reach.
+bool is_torn(const World& world) {
+  return std::ranges::any_of(
+      world.log, [](const LogLine& line) { return line.text.find(" cannot be kept: ") != std::string::npos; });
+}
+
+/// What to do about an energy that went wrong.
+std::string remedy(const World& world, const std::string& path) {
+  if (is_torn(world)) return "; it goes where ties cannot be kept, which no shorter step mends";
+  return text("; `pantin report ", path, "` compares steps and integrators", try_accuracy(world), suspects(world));
 }
 
 }  // namespace
@@ -71,9 +84,7 @@ void print_closing(const Scene& scene, const std::string& path, double seconds) 
                  " fallback steps, which only lose energy, where an articulate could not be solved\n");
   if (const auto overlap = deep_overlap(world)) told << "  " << *overlap << "\n";
   if (const auto loosely = loosely_solved(world)) told << "  " << *loosely << "\n";
-  if (const auto wrong = energy_gone_wrong(world))
-    told << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators" << try_accuracy(world)
-         << suspects(world) << "\n";
+  if (const auto wrong = energy_gone_wrong(world)) told << "  " << *wrong << remedy(world, path) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
     told << text("  accuracy ", *world.settings.accuracy,

@@ -4,28 +4,22 @@ local n = scene:param("threads", 16, { min = 4, max = 120, step = 1, help = "thr
 local wind = scene:param("wind", 4, { min = 0, max = 30, help = "speed of the wind, m/s" })
 local balls = scene:param("balls", true, { help = "whether balls are thrown" })
 
-scene.title = "Cloth"
-scene.duration = 20
-scene.step = 1 / 480
+scene.title, scene.duration, scene.step = "Cloth", 20, 1 / 480
 scene.camera = { at = vec(2.6, 2.9, 4.2), look_at = vec(0, 2.3, 0.2) }
 
-local edge, mass = 2, 0.4 -- m, kg
-local gap = edge / (n - 1)
+local edge, mass, gap = 2, 0.4, 2 / (n - 1) -- m, kg, m
 local cloth = scene:family("cloth", { color = "#d8573c", radius = 0.3 * gap, mass = mass / (n * n), solid = true, layer = "cloth" })
 scene:collide("cloth", "cloth", false)
 local thread = force.spring { stiffness = 40, damping = 0.01 }
 local limit = { breaks_at = { length = 3 * gap } }
 local shear, bend = { breaks_at = { length = 4.5 * gap }, stiffness = 20 }, { breaks_at = { length = 6 * gap }, stiffness = 4 }
-
 local corners, torn, speed = {}, 0, 5 -- of the first ball, m/s
 local function hang()
   local knots = {}
   for _, knot in ipairs(cloth.particles) do knot:remove() end
   for i = 1, n do
     knots[i] = {}
-    for j = 1, n do
-      knots[i][j] = scene:particle { family = cloth, at = vec((i - 1) * gap - edge / 2, 3.2, (j - 1) * gap - edge / 2) }
-    end
+    for j = 1, n do knots[i][j] = scene:particle { family = cloth, at = vec((i - 1) * gap - edge / 2, 3.2, (j - 1) * gap - edge / 2) } end
   end
   for i, row in ipairs(knots) do
     local function tie(j, di, dj, how)
@@ -59,9 +53,7 @@ local function throw()
 end
 if balls then scene:every(5, throw) end
 
-scene:button("let go", function()
-  for _, nail in ipairs(corners) do if nail.alive then nail:remove() end end
-end)
+scene:button("let go", function() for _, nail in ipairs(corners) do if nail.alive then nail:remove() end end end)
 scene:button("hang a new one", hang)
 scene:on("broke", function() torn = torn + 1 end)
 scene:probe("torn threads", function() return torn end)

@@ -3,13 +3,11 @@
 local pull = scene:param("pull", 60, { min = 5, max = 500, help = "force that pulls them apart, N" })
 local strength = scene:param("strength", 30, { min = 1, max = 1000, help = "force at which the hinge breaks, N" })
 
-scene.title = "Combine"
-scene.duration = 24
+scene.title, scene.duration = "Combine", 24
 scene.gravity = vec(0, 0, 0)
 scene.camera = { at = vec(1, 2.8, 7.5), look_at = vec(0, 1.9, 0) }
 
 local P = vec(0, 2, 0)
-
 local function stick(name, at, color, spin)
   return scene:body {
     name = name, at = at, spin = spin, velocity = vec(0, 0.2, 0),
@@ -25,9 +23,7 @@ scene:particle { at = P, radius = 0.05, color = "#f0c05a", name = "P" }
 -- The air slows them, so that they stay in the picture.
 scene:field(scene, force.drag { linear = 0.15 })
 
-local meetings, partings = 0, 0
-local says = ""
-
+local meetings, partings, says = 0, 0, ""
 scene:play(function(wait)
   while true do
     local hinge
@@ -58,8 +54,6 @@ scene:on("step", function()
   scene.draw:text(vec(20, 20, 0), ("%s\n%d meetings, %d partings"):format(says, meetings, partings), { space = "screen", size = 20 })
 end)
 
-scene:probe("distance of the tips", function()
-  return a.alive and b.alive and (a.tip.position - b.tip.position):length() or 0
-end)
+scene:probe("distance of the tips", function() return a.alive and b.alive and (a.tip.position - b.tip.position):length() or 0 end)
 scene:probe("meetings", function() return meetings end)
 scene:probe("partings", function() return partings end)

@@ -17,8 +17,7 @@ local function wheel(at, axis, radius, width, color)
 end
 scene:collide("gears", "gears", false)
 local function on_axle(body, axis)
-  scene:nail(body.hub)
-  scene:align(body, axis, axis, { angle = 0 })
+  scene:nail(body.hub) scene:align(body, axis, axis, { angle = 0 })
 end
 
 -- Half axles: a wheel outside, a bevel gear inside, turning as one body.
@@ -46,19 +45,15 @@ scene:motor(engine, { axis = z, speed = -speed * 0.7 / 0.25, max_torque = 60 })
 -- Against the cage the halves turn one as the other turns back, by the wheel between them.
 scene:gear(halves[1], spider, { ratio = 1, axis = x, axis_b = y, carrier = cage })
 scene:gear(halves[2], spider, { ratio = -1, axis = x, axis_b = y, carrier = cage })
-
 local brakes = {}
 for i, half in ipairs(halves) do brakes[i] = scene:motor(half, { axis = x, speed = 0, max_torque = 0.5 }) end
-scene:every(6, function()
-  local held = math.floor(scene.time / 6 + 0.5) % 3 -- none, left, right
-  for i, brake in ipairs(brakes) do brake.max_torque = held == i and 200 or 0.5 end
-end)
+local function hold(side) for i, brake in ipairs(brakes) do brake.max_torque = side == i and 200 or 0.5 end end
+scene:every(6, function() hold(math.floor(scene.time / 6 + 0.5) % 3) end) -- none, left, right
 scene:on("step", function()
   for i, half in ipairs(halves) do
     scene.draw:text(half.position + vec(-0.3, 1.15, 0), ("%.1f rad/s%s"):format(half.spin.x, brakes[i].max_torque > 1 and "\nheld" or ""), { size = 17 })
   end
   scene.draw:text(vec(-0.6, 1.05, 0), ("cage %.1f rad/s"):format(cage.spin.x), { size = 17, color = "#a07a18" })
 end)
-scene:probe("left", function() return halves[1].spin.x end)
-scene:probe("right", function() return halves[2].spin.x end)
+for i, side in ipairs { "left", "right" } do scene:probe(side, function() return halves[i].spin.x end) end
 scene:probe("cage", function() return cage.spin.x end)

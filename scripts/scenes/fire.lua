@@ -2,10 +2,8 @@
 local heat = scene:param("heat", 1, { min = 0.3, max = 2, help = "how fiercely it burns" })
 local breeze = scene:param("wind", 0.25, { min = -2, max = 2, help = "wind from the left, m/s" })
 
-scene.title = "Fire"
+scene.title, scene.duration, scene.dark = "Fire", 10, true
 scene.step = 1 / 120
-scene.duration = 10
-scene.dark = true
 scene.gravity = vec(0, 0, 0) -- the law below says what rises and what falls
 scene.camera = { at = vec(0.4, 1.2, 4.2), look_at = vec(0.1, 0.95, 0) }
 

@@ -2,8 +2,7 @@
 -- The view follows the red one. Be the hawk: drag one.
 local count = scene:param("birds", 250, { min = 2, max = 10000, step = 1, help = "number of birds" })
 
-scene.title = "Flock"
-scene.duration = 60
+scene.title, scene.duration = "Flock", 60
 scene.gravity = vec(0, 0, 0)
 scene.step = 1 / 60
 

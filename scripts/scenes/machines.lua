@@ -3,8 +3,7 @@
 local torque = scene:param("torque", 40, { min = 0, max = 200, help = "greatest torque of the motor, N m" })
 local speed = scene:param("speed", 4, { min = -15, max = 15, help = "speed of the crank, rad/s" })
 
-scene.title = "Machines"
-scene.duration = 20
+scene.title, scene.duration = "Machines", 20
 scene.camera = { at = vec(0.6, 1.2, 9), look_at = vec(0.2, 0.5, 0) }
 
 local function bar(from, to, mass, color)
@@ -57,6 +56,4 @@ scene:probe("cart speed", function() return cart.velocity:length() end)
 
 local labels = { ["motor and crank"] = vec(-3.5, -0.7, 0), ["slider on a rail"] = vec(-1.7, -0.4, 0), ["weight on a string"] = vec(-0.6, 2, 0),
                  ["cart on a track"] = vec(1.9, 1.2, 0), ["door that stops at a right angle"] = vec(1.9, -0.9, 0) }
-scene:on("step", function()
-  for label, at in pairs(labels) do scene.draw:text(at, label, { size = 15 }) end
-end)
+scene:on("step", function() for label, at in pairs(labels) do scene.draw:text(at, label, { size = 15 }) end end)

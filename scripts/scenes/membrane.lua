@@ -2,11 +2,8 @@
 local count = scene:param("amphiphiles", 240, { min = 30, max = 4000, step = 1, help = "number of amphiphiles" })
 local warmth = scene:param("temperature", 0.9, { min = 0, max = 3, help = "temperature, in units of the attraction" })
 
-scene.title = "Membrane"
-scene.duration = 400
-scene.gravity = vec(0, 0, 0)
-scene.step = 0.02
-scene.pace = 4
+scene.title, scene.duration, scene.pace = "Membrane", 400, 4
+scene.gravity, scene.step = vec(0, 0, 0), 0.02
 
 -- Sizes and laws of Cooke, Kremer and Deserno (2005), with straight, rigid amphiphiles.
 local edge = 1.9 * count ^ (1 / 3)
@@ -15,7 +12,6 @@ scene.camera = { at = vec(1.9 * edge, 1.5 * edge, 3.1 * edge), look_at = vec(0.5
 
 local head = scene:family("head", { color = "#2f78b7", radius = 0.45 })
 local tail = scene:family("tail", { color = "#f0c05a", radius = 0.5 })
-
 local amphiphiles = scene:group "amphiphiles"
 -- No two beads begin nearer than 0.95: of each the cells of an edge of about 1 around it are searched.
 local cells, across = {}, math.floor(edge)
@@ -25,22 +21,13 @@ local function cell(at, dx, dy, dz)
   return (one(at.x, dx) * across + one(at.y, dy)) * across + one(at.z, dz)
 end
 local function free(at)
-  for dx = -1, 1 do
-    for dy = -1, 1 do
-      for dz = -1, 1 do
-        for _, bead in ipairs(cells[cell(at, dx, dy, dz)] or {}) do
-          local d = bead - at
-          if vec(near(d.x), near(d.y), near(d.z)):length() < 0.95 then return false end
-        end
-      end
+  for n = 0, 26 do
+    for _, bead in ipairs(cells[cell(at, n // 9 - 1, n // 3 % 3 - 1, n % 3 - 1)] or {}) do
+      local d = bead - at
+      if vec(near(d.x), near(d.y), near(d.z)):length() < 0.95 then return false end
     end
   end
   return true
-end
-local function put(at)
-  local here = cell(at, 0, 0, 0)
-  cells[here] = cells[here] or {}
-  table.insert(cells[here], at)
 end
 for i = 1, count do
   local at, turn, along
@@ -49,7 +36,11 @@ for i = 1, count do
     turn = quat(vec(math.random() - 0.5, math.random() - 0.5, math.random() - 0.5), 6.28 * math.random())
     along = turn:rotate(vec(1, 0, 0))
   until free(at) and free(at - along) and free(at + along)
-  for k = -1, 1 do put(at + k * along) end
+  for k = -1, 1 do
+    local here = cell(at + k * along, 0, 0, 0)
+    cells[here] = cells[here] or {}
+    table.insert(cells[here], at + k * along)
+  end
   amphiphiles:add(scene:body {
     at = at, orientation = turn,
     points = {
@@ -64,6 +55,5 @@ scene:interact(head, head, force.wca { epsilon = 1, sigma = 0.95 })
 scene:interact(head, tail, force.wca { epsilon = 1, sigma = 0.95 })
 scene:interact(tail, tail, force.hydrophobic { strength = 1, size = 1, range = 1.6 })
 scene:field(scene, force.thermostat { temperature = warmth, rate = 0.3 })
-
 scene:probe("energy of an amphiphile", function() return scene.energy.potential / count end)
 scene:probe("largest surface", function() return #amphiphiles:clusters(1.6)[1] / count end)

@@ -219,6 +219,19 @@ TEST_CASE("program: what was set for the time at which the run ends is told to b
   CHECK(lines(result.out) == 3);
 }
 
+TEST_CASE("program: where ties contradict each other no shorter step is advised") {
+  Folder folder;
+  write_file(folder / "torn.lua", R"(
+    local p = {}
+    for i = 0, 2 do p[i] = scene:particle { at = vec(i, 0, 0), mass = 1 } end
+    scene:nail(p[0])
+    for i = 1, 2 do scene:rod(p[i - 1], p[i]) end
+    scene:follow(p[2], function(t) return vec(2 + t, 0, 0) end)
+  )");
+  const Finished torn = use(folder, {"run", "torn.lua", "--until", "1"});
+  CHECK_THAT(torn.out, Contains("ties cannot be kept, which no shorter step mends") && !Contains("report"));
+}
+
 TEST_CASE("program: a run whose energy went wrong says so, and what finds a better step") {
   Folder folder;
   const std::string spring = "scene.integrator = 'euler'\nlocal p = scene:particle { at = vec(1, 0, 0) }\n";
