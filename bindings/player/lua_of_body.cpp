@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <span>
 
 #include "base/shortened.hpp"
 #include "edit/edit.hpp"
@@ -69,6 +70,54 @@ std::array<Vec3, 2> ends_of(const World& world, const Shape& shape, const Capsul
   return {shortened(shape.at - half, size), shortened(shape.at + half, size)};
 }
 
+std::string lua_of_list(std::span<const Vec3> places) {
+  std::string list;
+  for (const Vec3 at : places) list += text(list.empty() ? "" : ", ", lua_of(at));
+  return list;
+}
+
+/// The axis that polygons of a script have no part of.
+int flat_axis(const World& world) { return world.plane.flat() ? world.plane.normal : 2; }
+
+/// A prism as `shape.polygon` makes it, corner by corner; nothing: it is none.
+std::optional<std::string> lua_of_prism(const World& world, const Hull& hull) {
+  const int axis = flat_axis(world);
+  const double half = hull.vertices[1][axis];
+  std::vector<Vec3> outline;
+  for (std::size_t i = 0; i + 1 < hull.vertices.size(); i += 2) {
+    Vec3 low = hull.vertices[i], high = hull.vertices[i + 1];
+    if (low[axis] != -half || high[axis] != half) return {};
+    low[axis] = high[axis] = 0.0;
+    if (!same(low, high)) return {};
+    outline.push_back(low);
+  }
+  if (hull.vertices.size() % 2 != 0 || !(half > 0.0)) return {};
+  return text("shape.polygon { points = { ", lua_of_list(outline), " }, thickness = ", lua_of(2.0 * half), " }");
+}
+
+std::optional<std::string> lua_of_hull(const World& world, const Shape& shape) {
+  const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape.geometry);
+  if (!hull || !same(shape.at, zero3()) || shape.orientation.w != 1.0) return {};
+  if (auto prism = lua_of_prism(world, **hull)) return prism;
+  return text("shape.hull { ", lua_of_list((*hull)->vertices), " }");
+}
+
+/// Several hulls of one material, as those of a polygon that is not convex.
+std::optional<Form> form_of_hulls(const World& world, const Body& body) {
+  const Material& first = world.shapes[body.shapes[0]].material;
+  std::string list;
+  for (const ShapeId id : body.shapes) {
+    const Shape& shape = world.shapes[id];
+    const std::optional<std::string> hull = lua_of_hull(world, shape);
+    const Material& m = shape.material;
+    const bool alike = m.density == first.density && m.friction == first.friction &&
+                       m.restitution == first.restitution && !shape.sensor;
+    if (!hull || !alike) return {};
+    list += text(list.empty() ? "" : ", ", *hull);
+  }
+  return Form{"scene:body", "polygon", {text("shapes = { ", list, " }")}};
+}
+
 std::optional<Form> form_of(const World& world, const Shape& shape) {
   const Vec3 axis = shortened(rotate(shape.orientation, vec(0, 0, 1)), 1.0);
   const bool centred = same(shape.at, zero3());
@@ -90,11 +139,8 @@ std::optional<Form> form_of(const World& world, const Shape& shape) {
         "scene:cylinder",
         "wheel",
         {"radius = " + lua_of(wheel->radius), "length = " + lua_of(2.0 * wheel->half), "axis = " + lua_of(axis)}};
-  if (const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape.geometry); hull && centred && q.w == 1.0) {
-    std::string points;
-    for (const Vec3 at : (*hull)->vertices) points += text(points.empty() ? "" : ", ", lua_of(at));
-    return Form{"scene:body", "hull", {text("shape = shape.hull { ", points, " }")}};
-  }
+  if (const auto hull = lua_of_hull(world, shape))
+    return Form{"scene:body", hull->starts_with("shape.polygon") ? "polygon" : "hull", {"shape = " + *hull}};
   return {};
 }
 
@@ -113,7 +159,8 @@ void add_points(const World& world, BodyId id, std::vector<std::string>& options
 void add_material(const World& world, const Body& body, std::vector<std::string>& options) {
   const Shape& shape = world.shapes[body.shapes[0]];
   const Material usual;
-  const double filled = usual.density * solid_mass(shape.geometry).volume;
+  double filled = 0.0;
+  for (const ShapeId id : body.shapes) filled += usual.density * solid_mass(world.shapes[id].geometry).volume;
   if (shape.material.density != usual.density || std::fabs(body.own_mass - filled) > 1e-9 * filled)
     options.push_back("mass = " + lua_of(body.own_mass));
   if (shape.material.friction != usual.friction) options.push_back("friction = " + lua_of(shape.material.friction));
@@ -166,7 +213,6 @@ std::string LuaOfBody::with(const std::string& position, const std::string& its_
 LuaOfBody lua_of_body(const World& world, BodyId id) {
   const Body& body = world.bodies[id];
   LuaOfBody lua;
-  if (body.shapes.size() > 1) return lua.why_not = "has several shapes", lua;
   if (body.shapes.empty()) {
     lua.call = "scene:body";
     lua.word = body.points.size() == 2 ? "rod" : "body";
@@ -176,8 +222,9 @@ LuaOfBody lua_of_body(const World& world, BodyId id) {
     lua.color = fields::text_of(body.points.empty() ? BodyDef{}.color : world.points[body.points[0]].color);
   } else {
     const Shape& shape = world.shapes[body.shapes[0]];
-    const std::optional<Form> form = form_of(world, shape);
-    if (!form || shape.sensor) return lua.why_not = "has a shape that no hand makes", lua;
+    const std::optional<Form> form = body.shapes.size() > 1 ? form_of_hulls(world, body) : form_of(world, shape);
+    if (!form || shape.sensor)
+      return lua.why_not = body.shapes.size() > 1 ? "has several shapes" : "has a shape that no hand makes", lua;
     lua.call = form->call;
     lua.word = form->word;
     lua.options = form->options;

@@ -359,9 +359,13 @@ class Writer {
       case ConstraintKind::motor: return write_motor(id, c);
       case ConstraintKind::join:
         return line(text("scene:join(", point(c.a), ", ", point(c.b), ", { max_force = ", lua_of(c.max_force),
-                         ", time_constant = ", lua_of(c.time_constant), " })"));
+                         ", time_constant = ", lua_of(c.time_constant), axis_of_join(c), " })"));
       default: leave_out(id, "is nothing that a hand makes");
     }
+  }
+  static std::string axis_of_join(const Constraint& c) {
+    const Vec3 axis = c.progress()->hinge_axis;
+    return norm2(axis) > 0.0 ? ", axis = " + lua_of(axis) : "";
   }
   void write_rod(const Constraint& c) {
     const Vec3 other = c.b ? position(now_, c.b) : c.position.now;

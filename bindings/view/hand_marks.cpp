@@ -68,7 +68,7 @@ class Pen {
         return text(short_number(norm(hand_.use->turn(viewport_))) + " rad/s", 14.0, 10.0, color_);
       case ToolKind::make:
         if (hand_.use->snaps()) grid();
-        return made();
+        return hand_.use->choice().is_polygon() ? outline() : made();
       case ToolKind::heat:
         return brush(
             dot(hand_.use->place(viewport_, hand_.x, hand_.y) - viewport_.camera.eye(), viewport_.camera.forward()));
@@ -209,6 +209,17 @@ class Pen {
     ring_on_screen(2.0 * heat_radius(viewport_, depth) / pixel, hand_.choice.variant == 1 ? cold : warm);
   }
 
+  /// What is drawn of a polygon, and its next edges.
+  void outline() {
+    const std::vector<Vec3>& corners = hand_.use->corners();
+    const bool clicks = !hand_.use->active();
+    for (std::size_t i = 1; i < corners.size(); i++) line(corners[i - 1], corners[i], color_, 2.5);
+    const Vec3 here = clicks ? place_to_make(viewport_, hand_.x, hand_.y, hand_.use->snaps()) : corners.back();
+    if (clicks) line(corners.back(), here, color_, 2.5);
+    line(here, corners.front(), faded(color_, 0.4f), 1.5);
+    ring(corners.front(), 24.0, color_);
+  }
+
   void made_box(const Command& c) {
     for (std::size_t i = 0; i < 8; i++)
       for (std::size_t axis = 1; axis < 8; axis *= 2)
@@ -257,7 +268,7 @@ Color hand_color(std::int32_t hand) {
 void mark_hand(const Viewport& viewport, const ShownHand& hand, std::vector<Mark>& marks) {
   Pen pen(viewport, hand, marks);
   pen.cursor();
-  if (hand.use->active())
+  if (hand.use->active() || !hand.use->corners().empty())
     pen.act();
   else
     pen.hover();

@@ -180,6 +180,25 @@ double make_round(const Viewport& viewport, const MakingDrag& drag, Command& c) 
   return std::pow(radius / usual, 3.0);
 }
 
+/// Of a piece of a stroke those that lie farthest from the line between its ends (Douglas and Peucker 1973); the end may be the
+/// stroke's first again.
+void keep_corners(const std::vector<Vec3>& stroke, std::size_t from, std::size_t to, double least,
+                  std::vector<bool>& kept) {
+  const Vec3 a = stroke[from], way = stroke[to % stroke.size()] - a;
+  std::size_t far = from;
+  double most = least;
+  for (std::size_t i = from + 1; i < to; i++) {
+    const Vec3 off = stroke[i] - a;
+    const double along = norm2(way) > 0.0 ? std::clamp(dot(off, way) / norm2(way), 0.0, 1.0) : 0.0;
+    const double missed = norm(off - way * along);
+    if (missed > most) far = i, most = missed;
+  }
+  if (far == from) return;
+  kept[far] = true;
+  keep_corners(stroke, from, far, least, kept);
+  keep_corners(stroke, far, to, least, kept);
+}
+
 }  // namespace
 
 std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y) {
@@ -208,6 +227,53 @@ Vec3 mirror_of(const Viewport& viewport) {
   return normal;
 }
 
+Vec3 hinge_axis(const Viewport& viewport) {
+  if (viewport.world.plane.flat()) return zero3();
+  const Vec3 along = viewport.camera.forward();
+  int most = 2;
+  for (int i = 0; i < 3; i++)
+    if (std::fabs(along[i]) > std::fabs(along[most])) most = i;
+  Vec3 axis = zero3();
+  axis[most] = 1.0;
+  return axis;
+}
+
+std::vector<Vec3> corners_of_stroke(const Viewport& viewport, const std::vector<Vec3>& stroke) {
+  constexpr double missed = 4.0;  // [px]
+  if (stroke.size() < 3) return stroke;
+  const auto seen = viewport.project(stroke[0]);
+  const double least = missed * (seen ? seen->pixel : 0.0);
+  std::size_t far = 0;
+  for (std::size_t i = 1; i < stroke.size(); i++)
+    if (norm(stroke[i] - stroke[0]) > norm(stroke[far] - stroke[0])) far = i;
+  std::vector<bool> kept(stroke.size(), false);
+  kept[0] = kept[far] = true;
+  keep_corners(stroke, 0, far, least, kept);
+  keep_corners(stroke, far, stroke.size(), least, kept);
+  std::vector<Vec3> corners;
+  for (std::size_t i = 0; i < stroke.size(); i++)
+    if (kept[i]) corners.push_back(stroke[i]);
+  return corners;
+}
+
+Command made_of_outline(const Viewport& viewport, std::vector<Vec3> outline) {
+  const World& world = viewport.world;
+  const double step = round_step(viewport.stage.unit);
+  const Vec3 axis = world.plane.flat() ? world.plane.about(vec(1, 1, 1)) : hinge_axis(viewport);
+  Command c;
+  c.kind = Command::Kind::make;
+  c.form = MadeForm::polygon;
+  for (const Vec3 at : outline) c.position += at / static_cast<double>(outline.size());
+  c.position = rounded(c.position, step);
+  c.position = world.plane.beside(c.position, usual_height(world).value_or(zero3()));
+  for (const Vec3 at : outline) {
+    const Vec3 way = rounded(at - c.position, step);
+    c.points.push_back(way - axis * dot(way, axis));
+  }
+  c.amount = axis * rounded(vec(std::fmax(0.25 * viewport.stage.unit, step), 0, 0), step)[0];
+  return c;
+}
+
 Command made_by_drag(const Viewport& viewport, const MakingDrag& drag) {
   Command c;
   c.kind = Command::Kind::make;
@@ -223,9 +289,10 @@ Command made_by_drag(const Viewport& viewport, const MakingDrag& drag) {
   if (const auto height = usual_height(world); !world.points.alive(c.point))
     c.position = world.plane.beside(c.position, height.value_or(zero3()));
   if (drag.variant == rod) c.points[1] = world.plane.along(c.points[1]);
+  if (drag.variant == rod) c.amount = hinge_axis(viewport);
   if (!touches) {
     c.mass = usual_mass(world) * part;
-    c.amount = zero3();
+    if (drag.variant != rod) c.amount = zero3();
     return c;
   }
   static constexpr std::array<MadeForm, 4> forms = {MadeForm::rod, MadeForm::ball, MadeForm::box, MadeForm::wheel};

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "view/viewport.hpp"
 #include "world/input.hpp"
@@ -20,6 +21,13 @@ struct MakingDrag {
 
 /// What it makes, with numbers that can be read: multiples of some hundredth of the scene's unit, a power of ten.
 Command made_by_drag(const Viewport& viewport, const MakingDrag& drag);
+
+/// A polygon over an outline [m], as thick as usual things are, across the plane or the view.
+Command made_of_outline(const Viewport& viewport, std::vector<Vec3> outline);
+/// The corners of an outline that was drawn [m], but for those that a line between others misses by less than some pixels.
+std::vector<Vec3> corners_of_stroke(const Viewport& viewport, const std::vector<Vec3>& stroke);
+/// The axis of the world that points most to the viewer, about which hinges turn; in a plane 0.
+Vec3 hinge_axis(const Viewport& viewport);
 
 /// [m] Distance of the lines of the grid that is drawn and snapped to while its key is held: ten times the numbers' last digit.
 double grid_of(const Viewport& viewport);

@@ -71,8 +71,9 @@ bool PlayerInput::cancel(StepInput& input) {
   ToolOutput output{input, said, acts};
   bool any = false;
   for (auto& [pointer, hold] : holds_) {
-    any |= hold.use.active();
+    any |= hold.use.active() || !hold.use.corners().empty();
     hold.use.cancel(output);
+    hold.use = {};
   }
   return any;
 }
@@ -247,7 +248,8 @@ void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, 
                             std::vector<Mark>& marks) const {
   for (const auto& [id, pointer] : gestures.pointers) {
     const auto found = holds_.find(id);
-    if (found != holds_.end() && found->second.use.active()) {
+    const bool draws = found != holds_.end() && tool.is_polygon() && !found->second.use.corners().empty();
+    if (draws || (found != holds_.end() && found->second.use.active())) {
       mark_hand(viewport, {found->second.hand, id == 0, pointer.x, pointer.y, tool, &found->second.use}, marks);
     } else if (!(id == 0 && on_panel)) {
       ToolUse none;

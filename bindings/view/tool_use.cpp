@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "choreography/commands.hpp"
 #include "edit/assemble.hpp"
+#include "shapes/convex_parts.hpp"
 #include "view/draw_list.hpp"
 #include "view/making.hpp"
 #include "view/pick.hpp"
@@ -45,7 +47,7 @@ std::string cut_story(const World& world, const std::vector<AnyId>& things) {
   return "cut " + counted(things.size(), kind_of(world, things[0], false), first);
 }
 
-enum Joins : std::size_t { hinge };
+enum Joins : std::size_t { hinge, rod, rope, spring, chain, ball_hinge };
 enum Spins : std::size_t { once, motor };
 
 }  // namespace
@@ -65,7 +67,13 @@ double heat_radius(const Viewport& viewport, double depth) {
 
 void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t hand, double x, double y,
                     ToolOutput& output) {
+  std::vector<Vec3> corners;
+  if (choice.is_polygon() && choice_.is_polygon()) corners = std::move(corners_);
+  const bool snaps = snaps_;
   *this = {};
+  snaps_ = snaps;
+  corners_ = std::move(corners);
+  clicked_ = corners_.size();
   choice_ = choice;
   hand_ = hand;
   active_ = true;
@@ -99,6 +107,9 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
       if (!point_ && !body_)
         output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
       break;
+    case ToolKind::make:
+      if (choice.is_polygon()) corners_.push_back(place_to_make(viewport, x, y, snaps_));
+      break;
     default: break;
   }
 }
@@ -111,6 +122,7 @@ void ToolUse::move(const Viewport& viewport, double x, double y, ToolOutput& out
   if (trail_.size() == longest_trail) trail_.erase(trail_.begin());
   trail_.push_back(vec(x, y, 0));
   if (choice_.kind == ToolKind::remove) remove(viewport, output);
+  if (choice_.is_polygon() && !is_click()) draw_on(viewport);
 }
 
 void ToolUse::hold(const Viewport& viewport, double time, ToolOutput& output) {
@@ -153,6 +165,7 @@ void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
       if (alive) turn_or_push(viewport, output);
       break;
     case ToolKind::make:
+      if (choice_.is_polygon()) return end_corner(viewport, output);
       send(making(viewport), output);
       output.said.push_back(std::string("made a ") + choice_.tool().variants[choice_.variant]);
       break;
@@ -216,6 +229,35 @@ Command ToolUse::making(const Viewport& viewport) const {
       viewport, {choice_.variant, x0_, y0_, x_, y_, is_click(), snaps_, depth_, point_, body_, start(viewport)});
   c.hand = hand_;
   return c;
+}
+
+/// A stroke goes on from where it was; one that begins after clicks only moves the corner that it began.
+void ToolUse::draw_on(const Viewport& viewport) {
+  const Vec3 at = place_to_make(viewport, x_, y_, snaps_);
+  if (clicked_ > 0)
+    corners_.back() = at;
+  else if (norm2(at - corners_.back()) > 0.0)
+    corners_.push_back(at);
+}
+
+void ToolUse::end_corner(const Viewport& viewport, ToolOutput& output) {
+  constexpr double near = 12.0;  // [px] of the first corner, that closes the outline
+  const auto first = viewport.project(corners_[0]);
+  const bool closes = clicked_ >= 3 && first && std::hypot(first->x - x_, first->y - y_) < near;
+  if (closes) corners_.pop_back();
+  if (!closes && clicked_ == 0 && !is_click()) corners_ = corners_of_stroke(viewport, corners_);
+  if (closes || (clicked_ == 0 && !is_click())) return make_polygon(viewport, output);
+  output.said.push_back(corners_.size() < 3 ? "polygon: click more corners"
+                                            : "polygon: click the first corner to close it");
+}
+
+void ToolUse::make_polygon(const Viewport& viewport, ToolOutput& output) {
+  const Command made = made_of_outline(viewport, std::exchange(corners_, {}));
+  try {
+    convex_parts(made.points, made.amount);
+  } catch (const Error& error) { return output.said.push_back(text("polygon: ", error.what())); }
+  send(made, output);
+  output.said.push_back("made a polygon");
 }
 
 Command ToolUse::command(Command::Kind kind) const {
@@ -329,7 +371,7 @@ void ToolUse::turn_or_push(const Viewport& viewport, ToolOutput& output) {
 }
 
 void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
-  const bool hinged = choice_.variant == hinge;
+  const bool hinged = choice_.variant == hinge || choice_.variant == ball_hinge;
   Command c = command_there(viewport, hinged ? Command::Kind::join : Command::Kind::tie);
   const Held end = pick_held(viewport, x_, y_);
   c.position = start(viewport);
@@ -339,6 +381,8 @@ void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   const bool same = end && (end.point ? end.point == point_ : end.body == body_);
   if (same || (hinged && !end) || is_click()) return output.said.push_back("join: let go at another thing");
   c.name = hinged ? "" : choice_.tool().variants[choice_.variant];
+  if (choice_.variant == hinge) c.amount = hinge_axis(viewport);
+  if (choice_.variant == chain) c.radius = 0.05 * viewport.stage.unit;
   send(c, output);
   output.said.push_back(hinged ? std::string("joining") : "tied by a " + c.name);
 }

@@ -35,6 +35,8 @@ class ToolUse {
   bool snaps() const { return snaps_; }
 
   bool active() const { return active_; }
+  /// Corners [m] of a polygon that is drawn by clicks, and by this press along a stroke.
+  const std::vector<Vec3>& corners() const { return corners_; }
   /// Holds a point by dragging it.
   bool holding() const { return active_ && choice_.kind == ToolKind::drag && (point_ || body_); }
   ToolChoice choice() const { return choice_; }
@@ -66,6 +68,9 @@ class ToolUse {
   void cut(const Viewport& viewport, double x, double y, ToolOutput& output);
   void remove(const Viewport& viewport, ToolOutput& output);
   void join(const Viewport& viewport, ToolOutput& output);
+  void draw_on(const Viewport& viewport);
+  void end_corner(const Viewport& viewport, ToolOutput& output);
+  void make_polygon(const Viewport& viewport, ToolOutput& output);
   void turn_or_push(const Viewport& viewport, ToolOutput& output);
   bool is_click() const;
   BodyId body_of(const World& world) const;
@@ -81,6 +86,8 @@ class ToolUse {
   Vec3 on_body_ = zero3();   // [m] the place, in the body's frame
   std::vector<AnyId> done_;  // what it cut or removed
   std::vector<Vec3> trail_;
+  std::vector<Vec3> corners_;
+  std::size_t clicked_ = 0;  // of the corners, before this press
 };
 
 /// A number with three digits or so, without an exponent where that is readable: "0.123", "45.6", "2040".

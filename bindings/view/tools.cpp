@@ -1,5 +1,7 @@
 #include "view/tools.hpp"
 
+#include <string_view>
+
 namespace pantin {
 
 const std::vector<Tool>& tools() {
@@ -9,8 +11,9 @@ const std::vector<Tool>& tools() {
       {ToolKind::join,
        "join",
        "\u26ad",
-       "drag from a thing to a thing: a hinge draws them together, a rod, rope or spring ties them, also to a place",
-       {"hinge", "rod", "rope", "spring"}},
+       "drag from a thing to a thing: a hinge draws them together, others tie them, also to a place; a chain touches "
+       "things",
+       {"hinge", "rod", "rope", "spring", "chain", "ball hinge"}},
       {ToolKind::nail, "nail", "\u2299", "click a point to nail it where it is; again to pull the nail out", {}},
       {ToolKind::push, "push", "\u279c", "drag from a thing: the longer, the harder it is pushed that way", {}},
       {ToolKind::spin,
@@ -22,11 +25,17 @@ const std::vector<Tool>& tools() {
       {ToolKind::make,
        "make",
        "\u271a",
-       "drag to make a thing of that size; a rod's ends and a wheel's middle are hinged to what is under them",
-       {"rod", "ball", "box", "wheel", "tetrahedron", "octahedron", "dodecahedron", "icosahedron"}},
+       "drag to make a thing of that size; a rod's ends and a wheel's middle are hinged to what is under them; of a "
+       "polygon "
+       "click the corners, or draw its outline",
+       {"rod", "ball", "box", "wheel", "tetrahedron", "octahedron", "dodecahedron", "icosahedron", "polygon"}},
       {ToolKind::heat, "heat", "\u2600", "hold over things to shake them, or to bring them to rest", {"heat", "cool"}},
   };
   return table;
+}
+
+bool ToolChoice::is_polygon() const {
+  return kind == ToolKind::make && std::string_view(tool().variants[variant]) == "polygon";
 }
 
 void ToolChoice::choose(ToolKind wanted) {

@@ -24,6 +24,8 @@ struct ToolChoice {
   std::size_t variant = 0;
 
   const Tool& tool() const { return tools()[static_cast<std::size_t>(kind)]; }
+  /// Of which corners are clicked.
+  bool is_polygon() const;
   /// Takes a tool; the one that is chosen already changes its variant.
   void choose(ToolKind wanted);
   /// Takes the tool so many places on, less than there are, round and round.

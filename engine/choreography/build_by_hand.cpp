@@ -10,9 +10,11 @@
 #include "edit/common.hpp"
 #include "edit/constrain.hpp"
 #include "laws/library.hpp"
+#include "measure/hits.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
 #include "measure/reach.hpp"
+#include "shapes/convex_parts.hpp"
 #include "shapes/hull.hpp"
 
 namespace pantin {
@@ -113,14 +115,33 @@ void add_points(BodyDef& def, const Command& c, std::span<const Vec3> points) {
   }
 }
 
+/// Over a convex outline, half as thick as `half` is long to either side.
+std::shared_ptr<const Hull> prism(std::span<const Vec3> outline, Vec3 half) {
+  std::vector<Vec3> corners;
+  for (const Vec3 at : outline) corners.insert(corners.end(), {at - half, at + half});
+  return make_hull(corners);
+}
+
+void add_prisms(BodyDef& def, const Command& c, std::span<const Vec3> outline) {
+  require(norm2(c.amount) > 0.0, "make: a polygon has a thickness");
+  for (const std::vector<Vec3>& part : convex_parts(outline, c.amount)) {
+    ShapeDef& shape = def.shapes.emplace_back();
+    shape.color = def.color;
+    shape.geometry = prism(part, c.amount);
+  }
+}
+
 /// What touches has its mass by its shape; its points are anchors.
 void add_shape(const World& world, BodyDef& def, const Command& c, std::span<const Vec3> points) {
-  ShapeDef& shape = def.shapes.emplace_back();
-  shape.color = def.color = color_of_next(world);
+  def.color = color_of_next(world);
   def.mass = c.mass;
+  if (c.form == MadeForm::polygon) return add_prisms(def, c, points);
+  ShapeDef& shape = def.shapes.emplace_back();
+  shape.color = def.color;
   const auto add_anchor = [&](Vec3 at) { def.points.emplace_back().at = at; };
   switch (c.form) {
-    case MadeForm::bare: break;
+    case MadeForm::bare:
+    case MadeForm::polygon: break;
     case MadeForm::rod: {
       require(points.size() == 2, "make: a rod has two points");
       const Vec3 way = points[1] - points[0];
@@ -147,13 +168,82 @@ void add_shape(const World& world, BodyDef& def, const Command& c, std::span<con
   }
 }
 
-/// Hinges an end to the point there; a wheel turns about its axle, where that has a body.
+/// Whether an axis means anything there: in a plane things turn about no other, and a free particle does not turn.
+bool takes_axis(const World& world, PointId to, Vec3 axis) {
+  return !world.plane.flat() && world.points[to].body && norm2(axis) > 0.0;
+}
+
+/// Hinges an end to the point there; a wheel turns about its axle, and a rod about its axis.
 void hinge_end(World& world, const Command& c, PointId end, PointId to) {
   if (!to) return;
   HingeDef def;
-  if (c.form == MadeForm::wheel && !world.plane.flat() && world.points[to].body) def.axis = c.amount;
+  const bool has_axis = c.form == MadeForm::wheel || c.form == MadeForm::rod || c.form == MadeForm::bare;
+  if (has_axis && takes_axis(world, to, c.amount)) def.axis = c.amount;
   const std::array ring = {to, end};
   add_hinge(world, ring, def);
+}
+
+/// [m] How far it is from a position within a body until its shapes end, on the way to another position.
+double way_out(World& world, BodyId body, Vec3 from, Vec3 to) {
+  double way = 0.0;
+  if (!body) return way;
+  for (const Hit& hit : hits_of_ray(world, to, from))
+    if (world.shapes[hit.shape].body == body) way = std::fmax(way, norm(to - from) - hit.distance);
+  return way;
+}
+
+/// (links + 1) Their ends on a straight line: alike, but that the first and the last lead out of the bodies where they begin.
+std::vector<Vec3> ends_of_links(Vec3 from, Vec3 to, double radius, double out_of_first, double out_of_last) {
+  constexpr double slender = 8.0;  // a link's length by its radius
+  constexpr double most_links = 40.0;
+  const double length = norm(to - from);
+  const double first = out_of_first > 0.0 ? out_of_first + 2.0 * radius : 0.0;
+  const double last = out_of_last > 0.0 ? out_of_last + 2.0 * radius : 0.0;
+  const double rest = length - first - last;
+  require(rest > 2.0 * radius, "chain: there is no room for one between them");
+  const double count = std::clamp(std::round(rest / (slender * radius)), 1.0, most_links);
+  const double size = std::fmax(largest(from), largest(to));
+  const auto at = [&](double way) { return shortened(from + (to - from) * (way / length), size); };
+  std::vector<Vec3> ends = {from};
+  if (first > 0.0) ends.push_back(at(first));
+  for (double k = 1.0; k < count; k++) ends.push_back(at(first + rest * (k / count)));
+  if (last > 0.0) ends.push_back(at(length - last));
+  ends.push_back(to);
+  return ends;
+}
+
+/// Rods in a row that touch things, each hinged to the next; from a point to another, or to a place where its end is nailed.
+void tie_by_chain(World& world, PointId a, PointId b, const Command& c) {
+  require_positive("chain", "radius", c.radius, "m");
+  const Vec3 from = position(world, a), to = b ? position(world, b) : c.points[0];
+  const std::vector<Vec3> ends = ends_of_links(from, to, c.radius, way_out(world, world.points[a].body, from, to),
+                                               b ? way_out(world, world.points[b].body, to, from) : 0.0);
+  std::vector<BodyId> links;
+  try {
+    for (std::size_t i = 0; i + 1 < ends.size(); i++) {
+      Command link;
+      link.form = MadeForm::rod;
+      link.radius = c.radius;
+      link.position = ends[i];
+      BodyDef def;
+      def.at = ends[i];
+      const std::array points = {zero3(), shortened(ends[i + 1] - ends[i], std::fmax(largest(ends[i]), largest(to)))};
+      add_shape(world, def, link, points);
+      def.shapes[0].color = def.color = of_bytes(196, 164, 110);
+      links.push_back(add_body(world, def));
+    }
+    const auto end_of_link = [&](std::size_t i, std::size_t end) { return world.bodies[links[i]].points[end]; };
+    for (std::size_t i = 0; i + 1 < links.size(); i++)
+      add_hinge(world, std::array{end_of_link(i, 1), end_of_link(i + 1, 0)});
+    add_hinge(world, std::array{a, end_of_link(0, 0)});
+    if (b)
+      add_hinge(world, std::array{b, end_of_link(links.size() - 1, 1)});
+    else
+      add_nail(world, end_of_link(links.size() - 1, 1));
+  } catch (const Error&) {
+    for (const BodyId link : links) remove(world, link);
+    throw;
+  }
 }
 
 /// [kg] Of what a point is of.
@@ -252,6 +342,7 @@ void join_by_hand(World& world, const Command& c) {
   JoinDef def;
   def.max_force = c.max_force == 0.0 ? std::fmax(usual_grab_force(world, a), usual_grab_force(world, b)) : c.max_force;
   def.time_constant = 0.1;
+  if (takes_axis(world, a, c.amount) && world.points[b].body) def.axis = c.amount;
   add_join(world, a, b, def);
   anchors.keep();
 }
@@ -269,6 +360,8 @@ void tie_by_hand(World& world, const Command& c) {
     b ? add_rod(world, a, b) : add_rod(world, a, c.points[0]);
   } else if (c.name == "rope") {
     add_string(world, {Passage{a}, b ? Passage{b} : Passage{PointId{}, c.points[0]}});
+  } else if (c.name == "chain") {
+    tie_by_chain(world, a, b, c);
   } else {
     require(c.name == "spring", "tie: there is no '", c.name, "'");
     tie_by_spring(world, a, b, c.points[0]);

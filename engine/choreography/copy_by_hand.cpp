@@ -237,6 +237,7 @@ class Copying {
     require(!of.on_met && !of.holder, "copy: ", describe(world_, id), " is led by a script");
     auto progress = std::make_shared<JoinProgress>();
     progress->hinge_name = of.hinge_name;
+    progress->hinge_axis = image_.about(of.hinge_axis);
     progress->label = of.label;
     return progress;
   }

@@ -75,6 +75,7 @@ void make_met_hinge(World& world, ConstraintId id) {
   try {
     HingeDef def;
     def.name = c.progress()->hinge_name;
+    if (const Vec3 axis = c.progress()->hinge_axis; norm2(axis) > 0.0) def.axis = axis;
     take_out_constraint(world, id, {describe(world, id), world.time, "its points meeting"});
     const ParticleId hinge = add_hinge(world, points, def);
     notice(world, Notice::Kind::joined, hinge, text(describe(world, hinge), " was made"));

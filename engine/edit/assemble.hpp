@@ -54,6 +54,7 @@ struct JoinDef {
   double max_force = std::numeric_limits<double>::infinity();  ///< [N] > 0: never pulls harder, until they are near
   std::function<void(ParticleId)> on_met;                      ///< called with the hinge, in the step after
   std::string name;                                            ///< of the hinge
+  Vec3 axis = zero3();  ///< of the hinge, world axes as they are then; 0: it turns freely
 };
 /// Draws two points of different bodies together as a dynamic constraint (Barzel and Barr 1988), and makes the hinge when
 /// they meet; told as "joined". They come together on a straight line, so the forces on them, which are opposite, are not

@@ -27,6 +27,10 @@ ConstraintId add_holder(World& world, PointId point, const JoinDef& def) {
 
 ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   require_point(world, "join", b);
+  require_finite("join", "axis", def.axis, "");
+  const bool turns_about_axis = norm2(def.axis) > 0.0;
+  require(!turns_about_axis || (world.points[a].body && world.points[b].body),
+          "join: only bodies turn about an axis, and one of these is a free particle");
   Constraint c;
   c.kind = ConstraintKind::join;
   c.a = a;
@@ -39,6 +43,7 @@ ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   progress->holder = holder;
   progress->on_met = def.on_met;
   progress->hinge_name = def.name;
+  progress->hinge_axis = def.axis;
   progress->label = world.who ? world.who() : "";
   c.own = JoinData{progress};
   return add_constraint(world, std::move(c));

@@ -205,6 +205,7 @@ struct JoinProgress {
   ConstraintId holder;                     ///< that attracts its first point to a position, and goes with it; or null
   std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
   std::string hinge_name;
+  Vec3 hinge_axis = zero3();                                 ///< world axes; 0: it turns freely
   std::string label;                                         ///< "scene.lua:12"
   double nearest = std::numeric_limits<double>::infinity();  ///< [m] its points were to each other so far
   double nearest_at = 0.0;                                   ///< [s]

@@ -17,10 +17,12 @@ struct HandMove {
   bool pressed = false;
 };
 
-/// What a thing that hands make touches with: nothing; round a rod's length; a ball; a box; a wheel; the hull of its points.
-enum class MadeForm : std::uint8_t { bare, rod, ball, box, wheel, hull };
+/// What a thing that hands make touches with: nothing; round a rod's length; a ball; a box; a wheel; the hull of its points; a prism
+/// over the outline that its points are, or where that is not convex several prisms.
+enum class MadeForm : std::uint8_t { bare, rod, ball, box, wheel, hull, polygon };
 /// (forms) as recordings call them
-inline constexpr std::array<std::string_view, 6> form_names = {"bare", "rod", "ball", "box", "wheel", "hull"};
+inline constexpr std::array<std::string_view, 7> form_names = {"bare",  "rod",  "ball",   "box",
+                                                               "wheel", "hull", "polygon"};
 
 /// What a person did before a step, besides moving. Each kind reads the fields that name it.
 struct Command {
@@ -52,18 +54,19 @@ struct Command {
       zero3();  ///< [m] make: of what is made; bring: where to, the middle of its box; heat: the middle of the ball that is heated; else on the body
   Vec3 amount =
       zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's; drive: its motor's; make: half the edges
-                ///< of a box [m], a wheel's axle, half its thickness long [m]; world axes
+      ///< of a box [m], a wheel's axle or a polygon's, half its thickness long [m], of a rod the axis of its hinges;
+      ///< join: the hinge's axis, 0: it turns freely; world axes
   std::vector<Vec3> points;  ///< [m] make: from `position`, the two ends of a rod first; join, tie: the other end alone
   MadeForm form =
       MadeForm::bare;      ///< make: what of it touches; bare: one point makes a free particle, more a rigid body
   double max_force = 0.0;  ///< [N] grab, join; 0 takes `usual_grab_force`
   double mass = 0.0;       ///< [kg] make: of all; 0: by the usual density of what touches
-  double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; heat: of the ball
+  double radius = 0.0;     ///< [m] make: of the points, of a rod, ball or wheel; tie: of a chain; heat: of the ball
   double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
   double value = 0.0;      ///< control: how far it is pressed, -1 to 1; 0: let go
   std::string
-      name;  ///< key, button, control; tie: "rod", "rope" or "spring"; make: "copy" of `thing` or `point` with all that
-             ///< is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
+      name;  ///< key, button, control; tie: "rod", "rope", "chain" or "spring"; make: "copy" of `thing` or `point` with all that
+      ///< is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
 };
 
 /// (kinds) as recordings and the log call them

@@ -101,10 +101,16 @@ struct Built {
     c.points = {zero3()};
     c.radius = around(0.3, 0.1);
     if (c.kind == Kind::make) {
-      c.form = static_cast<MadeForm>(1 + below(5));
+      c.form = static_cast<MadeForm>(1 + below(6));
       c.amount = c.form == MadeForm::wheel ? vec(0, 0, 0.2) : vec(around(0.5, 0.2), around(0.5, 0.2), around(0.4, 0.2));
       if (c.form == MadeForm::hull)
         c.points = {vec(-0.3, -0.3, -0.3), vec(0.4, -0.3, -0.3), vec(0, 0.5, -0.3), vec(0, 0, 0.4)};
+      if (c.form == MadeForm::polygon) {
+        c.points = {vec(0, 0, 0), vec(1, 0, 0), vec(1, 0.4, 0), vec(0.4, 0.4, 0), vec(0.4, around(1, 0.3), 0),
+                    vec(0, 1, 0)};
+        c.amount = vec(0, 0, 0.2);
+      }
+      if (c.form == MadeForm::rod && !world().plane.flat() && number() < 0.5) c.amount = vec(0, 1, 0);
       if (c.form == MadeForm::rod) c.points = {zero3(), vec(around(1, 0.5), around(0, 1), 0)};
       if (a && number() < 0.7 && c.form != MadeForm::box) aim(a, c.point, c.thing, c.position);
       if (b && c.form == MadeForm::rod && number() < 0.5 && b != a) {
@@ -117,8 +123,10 @@ struct Built {
     } else {
       aim(a, c.point, c.thing, c.position);
       c.points = {anywhere()};
-      c.name = std::array{"rod", "rope", "spring"}[below(3)];
+      c.name = std::array{"rod", "rope", "spring", "chain"}[below(4)];
       if (b && (c.kind == Kind::join || number() < 0.6)) aim(b, c.other, c.other_thing, c.points[0]);
+      if (c.kind == Kind::tie) c.radius = 0.05;
+      if (c.kind == Kind::join && number() < 0.5) c.amount = vec(0, 0, 1);
       if (c.kind == Kind::drive) c.amount = vec(0, 0, around(0, 5));
     }
     send(c);

@@ -189,11 +189,11 @@ class RecordedPerson {
       c.points = {zero3(), vec(0.5, 0, 0)};
       c.mass = 0.5;
       c.point = c.other = {};
-      if (!world().shapes.empty()) c.form = static_cast<MadeForm>(below(form_names.size() - 1));
+      if (!world().shapes.empty()) c.form = static_cast<MadeForm>(below(form_names.size() - 2));
     }
     if (c.kind == Command::Kind::tie) {
       c.points = {c.position};
-      c.name = std::array{"rod", "rope", "spring"}[below(3)];
+      c.name = std::array{"rod", "rope", "spring", "chain"}[below(4)];
     }
     c.radius = c.kind == Command::Kind::make ? 0.05 : 0.5;
     c.energy = 0.1;

@@ -337,6 +337,107 @@ TEST_CASE("a box that is dragged from corner to corner has numbers that can be r
   CHECK(norm(origin(bench.world, body) - vec(0, 1.5, 0)) < 1e-12);
 }
 
+namespace {
+
+/// A bench in a plane, with something that touches, and without weight.
+struct FlatBench : Bench {
+  FlatBench() : Bench(1) {
+    set_plane(world, Plane{2});
+    world.settings.gravity = zero3();
+    add_shape(world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
+  }
+  std::size_t shapes_of_last() const { return world.bodies[world.bodies.ids().back()].shapes.size(); }
+};
+
+constexpr std::size_t polygon = 8, chain = 4, ball_hinge = 5;
+
+}  // namespace
+
+TEST_CASE("a polygon is made of corners that are clicked, the first again to close it; Esc forgets them", "[view]") {
+  FlatBench bench;
+  const std::size_t before = bench.world.bodies.size();
+  bench.choose(ToolKind::make, polygon);
+  const Vec3 letter[] = {vec(-1, 1, 0), vec(1, 1, 0), vec(1, 1.5, 0), vec(0, 1.5, 0), vec(0, 3, 0), vec(-1, 3, 0)};
+  for (const Vec3 corner : letter) bench.click(bench.seen(corner));
+  CHECK(bench.world.bodies.size() == before);
+  CHECK(bench.person.cancel(bench.world.input));
+  bench.frame(1);
+  for (const Vec3 corner : letter) bench.click(bench.seen(corner));
+  bench.click(bench.seen(letter[0]));
+  REQUIRE(bench.world.bodies.size() == before + 1);
+  CHECK(bench.shapes_of_last() == 2);
+  CHECK(bench.world.motion_of(bench.world.bodies.ids().back()).mass == Approx(1000.0 * 2.5 * 0.5).epsilon(0.02));
+  CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("a polygon is made of a stroke about it, and one that crosses itself is refused with a word", "[view]") {
+  FlatBench bench;
+  bench.choose(ToolKind::make, polygon);
+  const auto stroke = [&](double height) {  // 1: a circle; less: an eight
+    const auto at = [&](double a) { return bench.seen(vec(std::cos(a), 2 + std::sin(height * a), 0)); };
+    bench.press(at(0));
+    for (double a = 0.1; a < 6.2; a += 0.1) bench.move(at(a));
+    bench.release(at(6.2));
+    bench.frame(1);
+  };
+  stroke(1.0);
+  CHECK(bench.said.back() == "made a polygon");
+  CHECK(bench.shapes_of_last() == 1);
+  CHECK(bench.world.motion_of(bench.world.bodies.ids().back()).mass == Approx(1571.0).epsilon(0.03));
+  const std::size_t made = bench.world.bodies.size();
+  stroke(2.0);
+  CHECK_THAT(bench.said.back(), Contains("crosses itself"));
+  CHECK(bench.world.bodies.size() == made);
+}
+
+TEST_CASE("a hinge that is made in space turns about the axis to the viewer, a ball hinge freely", "[view]") {
+  for (const std::size_t variant : {std::size_t{0}, ball_hinge}) {
+    Bench bench(1);
+    const BodyId a = bench.rods[0];
+    bench.choose(ToolKind::make);
+    bench.drag(bench.seen(vec(0, 2, 0)), bench.seen(vec(1.5, 2, 0)));
+    const BodyId b = bench.world.bodies.ids().back();
+    const PointId end = bench.world.bodies[b].points[0];
+    bench.choose(ToolKind::join, variant);
+    bench.drag(bench.seen(bench.tail(0)), bench.seen(end));
+    bench.frame(480);
+    REQUIRE(hinges(bench.world).size() == 1);
+    const Particle& ring = bench.world.particles[hinges(bench.world)[0]];
+    REQUIRE(ring.axes.size() == (variant == 0 ? 1 : 0));
+    if (variant != 0) continue;
+    const Constraint& axis = bench.world.constraints[ring.axes[0]];
+    const Vec3 of_a = rotate(orientation(bench.world, a), axis.body_a == a ? axis.axis_a : axis.axis_b);
+    CHECK(std::fabs(of_a[2]) == Approx(1.0).margin(1e-6));
+  }
+}
+
+TEST_CASE("a chain leads out of what it is tied to, holds its ends, and touches what lies under it", "[view]") {
+  FlatBench bench;
+  bench.world.settings.gravity = vec(0, -9.81, 0);
+  add_shape(bench.world, small_worlds::shape(BoxShape{vec(0.2, 0.2, 0.5)}, vec(0, 1.5, 0)));
+  bench.choose(ToolKind::make, 2);
+  bench.drag(bench.seen(vec(-2, 2, 0)), bench.seen(vec(-1, 3, 0)));
+  const BodyId box = bench.world.bodies.ids().back();
+  const std::size_t before = bench.world.bodies.size();
+  bench.choose(ToolKind::join, chain);
+  bench.drag(bench.seen(vec(-1.5, 2.5, 0)), bench.seen(vec(2.5, 2.5, 0)));
+  const std::size_t links = bench.world.bodies.size() - before;
+  CHECK(links > 5);
+  CHECK(hinges(bench.world).size() == links);
+  bench.frame(2);
+  CHECK(norm(bench.world.motion_of(box).p) < 0.1 * bench.world.motion_of(box).mass);  // nothing pushed it away
+  double lowest = infinity;
+  for (int i = 0; i < 240; i++) {
+    step(bench.world);
+    for (const BodyId id : bench.world.bodies.ids())
+      if (id != box && std::fabs(bench.world.motion_of(id).x[0]) < 0.2)
+        lowest = std::fmin(lowest, bench.world.motion_of(id).x[1]);
+  }
+  CHECK(lowest > 1.69);  // the block's upper face
+  CHECK(bench.world.error.hinge_gap < 1e-6);
+  CHECK(bench.last_log().empty());
+}
+
 TEST_CASE("a wheel is hinged to the body it is made on, and a motor turns it until a click takes that away", "[view]") {
   Bench bench(1);
   set_plane(bench.world, Plane{2});

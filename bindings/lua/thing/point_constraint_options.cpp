@@ -128,12 +128,13 @@ int scene_rod(lua_State* state) {
 int scene_join(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "join");
   const PointId a = check_point(state, 2, "join", argument(1)), b = check_point(state, 3, "join", argument(2));
-  const Options o(state, 4, "join", {"at", "time_constant", "max_force", "on_met", "name"});
+  const Options o(state, 4, "join", {"at", "time_constant", "max_force", "on_met", "name", "axis"});
   JoinDef def;
   def.at = o.vector("at", "m");
   def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
   def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
   def.name = o.string("name").value_or("");
+  def.axis = o.vector("axis", "").value_or(zero3());
   if (const auto on_met = o.function("on_met")) def.on_met = CalledOnMet{*on_met, &self.script};
   push_thing(state, self.script, add_join(self.world, a, b, def));
   return 1;
@@ -183,6 +184,7 @@ const ConstraintCall join_call = {
 ---@field at? vec [m] where they meet (default on their way to each other)
 ---@field time_constant? number [s] with which they are drawn together (default `0.05`)
 ---@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
+---@field axis? vec the hinge turns about it only, world axes as they are when it is made
 ---@field on_met? fun(hinge: Particle) called in the step after (default none)
 ---@field name? string of the hinge (default `""`)
 )"};
