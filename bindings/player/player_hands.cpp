@@ -59,7 +59,11 @@ void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInpu
     changes_++;
     acted_ = true;
     changed_at_ = {};  // a change of a parameter is an act of its own
-    if (scene_ != old) put_in_place(*old);
+    if (scene_ != old) {
+      put_in_place(*old);
+      paused_ = true;  // somebody may have been building
+      told += "; paused";
+    }
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;

@@ -61,7 +61,7 @@ class Pen {
       case ToolKind::push:
         if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
-        return text(short_number(norm(hand_.use->impulse(viewport_))) + " N s", 14.0, 10.0, color_);
+        return text(hand_.use->push_story(viewport_), 14.0, 10.0, color_);
       case ToolKind::spin:
         if (!hand_.use->begun_at(viewport_.world)) return;
         arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);

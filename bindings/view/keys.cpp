@@ -19,7 +19,7 @@ std::vector<WindowKeys> keys_of_hands() {
        Use::told,
        {},
        "left drag",
-       "use the tool: pull a point, and throw it (shift: make on a grid)",
+       "use the tool: pull a point, and throw it (shift: select; make on a grid)",
        0,
        play},
       {"Hands",

@@ -46,8 +46,8 @@ void PlayerInput::reset() {
 
 void PlayerInput::forget() {
   highlight_ = {};
-  copied_point_ = {};
-  copied_ = {};
+  copied_.clear();
+  selection_.clear();
 }
 
 void PlayerInput::let_go(const World& world, StepInput& input) {
@@ -69,7 +69,8 @@ void PlayerInput::let_go(const World& world, StepInput& input) {
 bool PlayerInput::cancel(StepInput& input) {
   std::vector<std::string> said, acts;
   ToolOutput output{input, said, acts};
-  bool any = false;
+  bool any = !selection_.empty();
+  selection_.clear();
   for (auto& [pointer, hold] : holds_) {
     any |= hold.use.active() || !hold.use.corners().empty();
     hold.use.cancel(output);
@@ -86,8 +87,8 @@ void PlayerInput::carry_over(const std::map<std::int32_t, std::int32_t>& hands,
     hold.use.carry_over(hold.hand, counterpart(hold.use.point()));
   }
   highlight_ = counterpart(highlight_);
-  copied_point_ = counterpart(copied_point_);
-  copied_ = {};
+  copied_.clear();
+  selection_.clear();
 }
 
 PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
@@ -100,6 +101,7 @@ void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
   const Frame& frame = work.frame;
   ToolOutput output = work.output();
   move_camera(work.gestures, event, frame.on_panel, frame.width, frame.height, frame.camera);
+  if (event.pointer == 0 && select(work, event)) return;
   const bool to_press = event.kind == Kind::press && event.button == Button::left;
   if (to_press && !(frame.on_panel && event.pointer == 0)) {
     ToolChoice choice = tool;
@@ -131,56 +133,76 @@ void PlayerInput::use_whole(const Work& work, WholeUse use) {
   }
 }
 
-void PlayerInput::copy(const Work& work) {
+/// With shift, or in a paused scene upon what is selected, the drag tool selects and moves.
+bool PlayerInput::select(const Work& work, const PointerEvent& event) {
+  const Frame& frame = work.frame;
+  const bool left = event.button == Button::left;
+  if (event.kind == Kind::press && left && !frame.on_panel && tool.kind == ToolKind::drag && !event.control) {
+    const bool moves = !event.shift && frame.time == 0.0 && !selection_.empty() &&
+                       selection_.has(frame.world, thing_at(work.viewport, event.x, event.y));
+    if (event.shift || moves) return selection_.press(event.x, event.y, moves), true;
+  }
+  if (!selection_.pressed()) return false;
+  selection_.move(event.x, event.y);
+  ToolOutput output = work.output();
+  if (event.kind == Kind::release && left) selection_.release(work.viewport, hold_of(0).hand, output);
+  return true;
+}
+
+/// What is selected, else what is under the pointer; one of each whole.
+std::vector<AnyId> PlayerInput::meant(const Work& work) const {
+  if (std::vector<AnyId> wholes = selection_.wholes(work.frame.world); !wholes.empty()) return wholes;
   const auto mouse = work.gestures.pointers.find(0);
-  const Held held =
-      mouse == work.gestures.pointers.end() ? Held{} : pick_held(work.viewport, mouse->second.x, mouse->second.y);
-  if (!held) return work.actions.said.push_back("copy: there is nothing under the pointer");
-  copied_point_ = held.point;
-  copied_ = held.body;
-  const World& world = work.frame.world;
-  const AnyId thing = held.point ? AnyId(held.point) : AnyId(held.body);
-  work.actions.said.push_back(text("copied ", describe(world, thing), " with all that is joined to it: ",
-                                   key_for(KeyUse::whole, 1), " pastes it, ", key_for(KeyUse::whole, 2), " mirrored"));
+  if (mouse == work.gestures.pointers.end()) return {};
+  const AnyId thing = thing_at(work.viewport, mouse->second.x, mouse->second.y);
+  if (std::holds_alternative<std::monostate>(thing)) return {};
+  return {thing};
+}
+
+void PlayerInput::copy(const Work& work) {
+  const std::vector<AnyId> things = meant(work);
+  if (things.empty()) return work.actions.said.push_back("copy: there is nothing under the pointer");
+  copied_ = things;
+  const std::string what = things.size() == 1 ? describe(work.frame.world, things[0]) : text(things.size(), " things");
+  work.actions.said.push_back(text("copied ", what, " with all that is joined to it: ", key_for(KeyUse::whole, 1),
+                                   " pastes it, ", key_for(KeyUse::whole, 2), " mirrored"));
 }
 
 void PlayerInput::paste(const Work& work, bool mirrored) {
   const World& world = work.frame.world;
   const auto mouse = work.gestures.pointers.find(0);
   if (mouse == work.gestures.pointers.end()) return;
-  if (!world.points.alive(copied_point_) && !world.bodies.alive(copied_))
-    return work.actions.said.push_back("paste: nothing was copied, or it is gone");
-  Command c;
-  c.kind = Command::Kind::make;
-  c.name = "copy";
-  c.hand = hold_of(0).hand;
-  if (world.points.alive(copied_point_))
-    c.point = copied_point_;
-  else
-    c.thing = copied_;
-  c.position = place_to_make(work.viewport, mouse->second.x, mouse->second.y, work.gestures.shift);
-  if (mirrored) c.amount = mirror_of(work.viewport);
+  std::erase_if(copied_, [&](const AnyId& thing) { return !alive(world, thing); });
+  if (copied_.empty()) return work.actions.said.push_back("paste: nothing was copied, or it is gone");
+  const Vec3 to = place_to_make(work.viewport, mouse->second.x, mouse->second.y, work.gestures.shift);
+  const Vec3 from = centre_of(world, copied_[0]), normal = mirror_of(work.viewport);
+  for (const AnyId& thing : copied_) {
+    Command c = command_of(Command::Kind::make, hold_of(0).hand, thing);
+    c.name = "copy";
+    Vec3 beside = centre_of(world, thing) - from;
+    if (mirrored) beside = beside - normal * (2.0 * dot(beside, normal));
+    c.position = to + beside;
+    if (mirrored) c.amount = normal;
+    work.frame.input.commands.push_back(c);
+  }
   work.actions.acts.push_back(mirrored ? "mirrored paste" : "paste");
   work.actions.said.push_back(mirrored ? "pasted mirrored" : "pasted");
-  work.frame.input.commands.push_back(c);
 }
 
 void PlayerInput::remove_whole(const Work& work) {
-  const auto mouse = work.gestures.pointers.find(0);
-  const Held held =
-      mouse == work.gestures.pointers.end() ? Held{} : pick_held(work.viewport, mouse->second.x, mouse->second.y);
-  if (!held) return work.actions.said.push_back("delete: there is nothing under the pointer");
-  Command c;
-  c.kind = Command::Kind::remove;
-  c.name = "whole";
-  c.hand = hold_of(0).hand;
-  c.point = held.point;
-  if (!held.point) c.thing = held.body;
-  const Things things = whole_of(work.frame.world, c);
-  const std::size_t count = things.bodies.size() + things.free_points.size();
+  const std::vector<AnyId> things = meant(work);
+  if (things.empty()) return work.actions.said.push_back("delete: there is nothing under the pointer");
+  std::size_t count = 0;
+  for (const AnyId& thing : things) {
+    Command c = command_of(Command::Kind::remove, hold_of(0).hand, thing);
+    c.name = "whole";
+    const Things joined = whole_of(work.frame.world, c);
+    count += joined.bodies.size() + joined.free_points.size();
+    work.frame.input.commands.push_back(c);
+  }
+  selection_.clear();
   work.actions.acts.push_back("delete");
   work.actions.said.push_back(text("removed ", count, count == 1 ? " thing" : " things"));
-  work.frame.input.commands.push_back(c);
 }
 
 void PlayerInput::key(const Work& work, const std::string& name) {
@@ -246,6 +268,7 @@ void PlayerInput::move_hands(const Work& work) {
 
 void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, bool on_panel,
                             std::vector<Mark>& marks) const {
+  selection_.add_marks(viewport, marks);
   for (const auto& [id, pointer] : gestures.pointers) {
     const auto found = holds_.find(id);
     const bool draws = found != holds_.end() && tool.is_polygon() && !found->second.use.corners().empty();

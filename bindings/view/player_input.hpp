@@ -9,6 +9,7 @@
 #include "view/gestures.hpp"
 #include "view/keys.hpp"
 #include "view/overlay.hpp"
+#include "view/selection.hpp"
 #include "view/tool_use.hpp"
 
 namespace pantin {
@@ -76,6 +77,8 @@ class PlayerInput {
 
   Hold& hold_of(PointerId pointer);
   void pointer_event(const Work& work, const PointerEvent& event);
+  bool select(const Work& work, const PointerEvent& event);
+  std::vector<AnyId> meant(const Work& work) const;
   void key(const Work& work, const std::string& name);
   void use_key(const Work& work, KeyMeaning key);
   void cut(const Work& work, double x, double y);
@@ -88,8 +91,8 @@ class PlayerInput {
   std::function<std::int32_t()> new_hand_;
   std::map<PointerId, Hold> holds_;
   PointId highlight_;
-  PointId copied_point_;  ///< what was copied, or null
-  BodyId copied_;         ///< the same where that has no point there
+  Selection selection_;
+  std::vector<AnyId> copied_;  ///< one of each whole that was: a body, or the point of a free particle
 };
 
 }  // namespace pantin

@@ -205,10 +205,19 @@ Vec3 ToolUse::way(const Viewport& viewport) const {
 
 bool ToolUse::is_click() const { return std::hypot(x_ - x0_, y_ - y0_) < click_distance; }
 
+double ToolUse::mass_pushed(const World& world) const {
+  const BodyId body = body_of(world);
+  return body ? world.motion_of(body).mass : world.points[point_].mass;
+}
+
+std::string ToolUse::push_story(const Viewport& viewport) const {
+  const double impulse_size = norm(impulse(viewport)), mass = mass_pushed(viewport.world);
+  return short_number(impulse_size) + " N s: " + short_number(mass > 0.0 ? impulse_size / mass : 0.0) + " m/s";
+}
+
 Vec3 ToolUse::impulse(const Viewport& viewport) const {
   if (!begun_at(viewport.world)) return zero3();
-  const BodyId body = body_of(viewport.world);
-  const double mass = body ? viewport.world.motion_of(body).mass : viewport.world.points[point_].mass;
+  const double mass = mass_pushed(viewport.world);
   // A click pushes away from the eye.
   const Vec3 way_to = is_click() ? viewport.camera.forward() * (0.5 * viewport.stage.unit) : way(viewport);
   return viewport.world.plane.along(way_to) * (mass / step_times(viewport.world, push_time));
@@ -364,7 +373,7 @@ void ToolUse::turn_or_push(const Viewport& viewport, ToolOutput& output) {
   if (!push && !drive && is_click()) return output.said.push_back("spin: drag over a body");
   send(c, output);
   const std::string size = short_number(norm(c.amount));
-  output.said.push_back(push                     ? "pushed by " + size + " N s"
+  output.said.push_back(push                     ? "pushed by " + push_story(viewport)
                         : !drive                 ? "spun by " + size + " rad/s"
                         : norm2(c.amount) == 0.0 ? std::string("took its motor away")
                                                  : "a motor turns it by " + size + " rad/s");

@@ -56,6 +56,8 @@ class ToolUse {
   Command making(const Viewport& viewport) const;
   /// The impulse [N s] and the change of spin [rad/s] of a drag as it is now.
   Vec3 impulse(const Viewport& viewport) const;
+  /// "45.0 N s: 9.00 m/s", as it is and what it makes of the thing that is pushed.
+  std::string push_story(const Viewport& viewport) const;
   Vec3 turn(const Viewport& viewport) const;
 
  private:
@@ -74,6 +76,7 @@ class ToolUse {
   void turn_or_push(const Viewport& viewport, ToolOutput& output);
   bool is_click() const;
   BodyId body_of(const World& world) const;
+  double mass_pushed(const World& world) const;
 
   ToolChoice choice_;
   std::int32_t hand_ = -1;

@@ -80,12 +80,37 @@ std::vector<Things> fallen_out(const World& world, Vec3 middle, double distance,
   return found;
 }
 
+namespace {
+
+/// Nails and rods to the world go along; what else holds to a place of it is refused.
+std::vector<ConstraintId> nails_of(const World& world, const Things& things) {
+  std::vector<ConstraintId> nails;
+  const auto take = [&](const std::vector<ConstraintId>& list) {
+    for (const ConstraintId id : list) {
+      const Constraint& c = world.constraints[id];
+      if (c.hand >= 0 || !holds_to_world(c)) continue;
+      require((c.kind == ConstraintKind::nail || c.kind == ConstraintKind::rod) && !c.position.of_time,
+              "move: ", describe(world, id), " holds it where it is");
+      if (std::ranges::count(nails, id) == 0) nails.push_back(id);
+    }
+  };
+  for (const PointId point : things.free_points) take(world.points[point].constraints);
+  for (const BodyId body : things.bodies) {
+    take(world.bodies[body].constraints);
+    for (const PointId point : world.bodies[body].points) take(world.points[point].constraints);
+  }
+  return nails;
+}
+
+}  // namespace
+
 void bring_back(World& world, const Command& c) {
   require_finite("bring", "position", c.position, "m");
   const Things things = whole_of(world, c);
   const Bounds box = bounds(world, things);
   const Vec3 middle = 0.5 * (box.low + box.high);
   const Vec3 way = world.plane.along(c.position - middle);
+  const std::vector<ConstraintId> nails = nails_of(world, things);
   for (const BodyId id : things.bodies) {
     set_position(world, id, world.motion_of(id).x + way);
     set_velocity(world, id, zero3());
@@ -95,6 +120,7 @@ void bring_back(World& world, const Command& c) {
     set_position(world, id, position(world, id) + way);
     set_velocity(world, id, zero3());
   }
+  for (const ConstraintId id : nails) set_position(world, id, world.constraints[id].position.now + way);
 }
 
 }  // namespace pantin

@@ -156,6 +156,8 @@ TEST_CASE("a restart that loses what was done is undone, and done again", "[wind
   session.with_control(SDLK_z, true);
   CHECK(state_hash(session.world()) == again);
   session.with_control(SDLK_z);
+  session.frames(3);
+  CHECK(session.world().steps == 4);  // paused, as somebody builds
   session.steps(3);
   CHECK(session.world().steps == 7);
   session.with_control(SDLK_z);
