@@ -11,6 +11,7 @@
 #include "structures/polyhedra.hpp"
 #include "view/draw_list.hpp"
 #include "view/pick.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin {
 
@@ -292,7 +293,7 @@ Command made_by_drag(const Viewport& viewport, const MakingDrag& drag) {
   if (drag.variant == rod) c.amount = hinge_axis(viewport);
   if (!touches) {
     c.mass = usual_mass(world) * part;
-    if (drag.variant != rod) c.amount = zero3();
+    c.amount = zero3();
     return c;
   }
   static constexpr std::array<MadeForm, 4> forms = {MadeForm::rod, MadeForm::ball, MadeForm::box, MadeForm::wheel};

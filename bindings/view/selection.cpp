@@ -8,11 +8,12 @@
 #include "measure/measure.hpp"
 #include "view/draw_list.hpp"
 #include "view/making.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin {
 namespace {
 
-constexpr double click_reach = 5.0;  // [px] a press that moves less is a click
+constexpr double longest_click = 5.0;  // [px] a press that moves less is a click
 constexpr std::size_t most_rings = 200;
 constexpr Color chosen_color = {0.20f, 0.50f, 0.85f, 0.9f};
 
@@ -106,7 +107,7 @@ void Selection::move(double x, double y) {
 /// A click takes one more, or one less; a box those whose centres are in it; a click beside all forgets them.
 void Selection::choose(const Viewport& viewport) {
   const World& world = viewport.world;
-  if (std::hypot(x_ - x0_, y_ - y0_) < click_reach) {
+  if (std::hypot(x_ - x0_, y_ - y0_) < longest_click) {
     const AnyId thing = thing_at(viewport, x_, y_);
     if (std::holds_alternative<std::monostate>(thing)) return things_.clear();
     if (!has(world, thing)) return things_.push_back(thing);

@@ -168,16 +168,19 @@ void add_shape(const World& world, BodyDef& def, const Command& c, std::span<con
   }
 }
 
-/// Whether an axis means anything there: in a plane things turn about no other, and a free particle does not turn.
+/// Whether an axis means anything there: in a plane things turn about no other, and a particle or a line does not turn about all.
 bool takes_axis(const World& world, PointId to, Vec3 axis) {
-  return !world.plane.flat() && world.points[to].body && norm2(axis) > 0.0;
+  const BodyId body = world.points[to].body;
+  if (world.plane.flat() || !body || norm2(axis) == 0.0) return false;
+  const Vec3 inertia = world.motion_of(body).inertia;
+  return std::fmin(inertia[0], std::fmin(inertia[1], inertia[2])) > 1e-6 * largest(inertia);
 }
 
 /// Hinges an end to the point there; a wheel turns about its axle, and a rod about its axis.
 void hinge_end(World& world, const Command& c, PointId end, PointId to) {
   if (!to) return;
   HingeDef def;
-  const bool has_axis = c.form == MadeForm::wheel || c.form == MadeForm::rod || c.form == MadeForm::bare;
+  const bool has_axis = c.form == MadeForm::wheel || c.form == MadeForm::rod;
   if (has_axis && takes_axis(world, to, c.amount)) def.axis = c.amount;
   const std::array ring = {to, end};
   add_hinge(world, ring, def);
@@ -202,9 +205,11 @@ std::vector<Vec3> ends_of_links(Vec3 from, Vec3 to, double radius, double out_of
   const double rest = length - first - last;
   require(rest > 2.0 * radius, "chain: there is no room for one between them");
   const double count = std::clamp(std::round(rest / (slender * radius)), 1.0, most_links);
-  const double size = std::fmax(largest(from), largest(to));
-  const auto at = [&](double way) { return shortened(from + (to - from) * (way / length), size); };
-  std::vector<Vec3> ends = {from};
+  const auto at = [&](double way) {
+    const Vec3 place = from + (to - from) * (way / length);
+    return shortened(place, largest(place));
+  };
+  std::vector<Vec3> ends = {at(0.0)};
   if (first > 0.0) ends.push_back(at(first));
   for (double k = 1.0; k < count; k++) ends.push_back(at(first + rest * (k / count)));
   if (last > 0.0) ends.push_back(at(length - last));
@@ -342,7 +347,7 @@ void join_by_hand(World& world, const Command& c) {
   JoinDef def;
   def.max_force = c.max_force == 0.0 ? std::fmax(usual_grab_force(world, a), usual_grab_force(world, b)) : c.max_force;
   def.time_constant = 0.1;
-  if (takes_axis(world, a, c.amount) && world.points[b].body) def.axis = c.amount;
+  if (takes_axis(world, a, c.amount) && takes_axis(world, b, c.amount)) def.axis = c.amount;
   add_join(world, a, b, def);
   anchors.keep();
 }

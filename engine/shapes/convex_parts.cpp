@@ -9,29 +9,29 @@
 namespace pantin {
 namespace {
 
-constexpr double flat = 1e-9;  // relative: a turn by less is none
+constexpr double straight = 1e-9;  // relative: a turn by less is none
 
-using Loop = std::vector<Vec3>;
+using Outline = std::vector<Vec3>;
 
 /// Twice the area of a triangle, positive where it turns left about the normal.
 double turn(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - b), normal); }
 
 bool turns_left(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
-  return turn(a, b, c, normal) > flat * norm(b - a) * norm(c - b);
+  return turn(a, b, c, normal) > straight * norm(b - a) * norm(c - b);
 }
 
-double area(const Loop& loop, Vec3 normal) {
+double area(const Outline& loop, Vec3 normal) {
   double sum = 0.0;
   for (std::size_t i = 2; i < loop.size(); i++) sum += 0.5 * turn(loop[0], loop[i - 1], loop[i], normal);
   return sum;
 }
 
-Loop without_straight_corners(Loop loop, Vec3 normal) {
+Outline without_straight_corners(Outline loop, Vec3 normal) {
   for (std::size_t i = 0; i < loop.size() && loop.size() >= 3;) {
     const std::size_t n = loop.size();
     const Vec3 a = loop[(i + n - 1) % n], b = loop[i], c = loop[(i + 1) % n];
-    const bool straight = std::fabs(turn(a, b, c, normal)) <= flat * norm(b - a) * norm(c - b);
-    if (straight)
+    const bool is_straight = std::fabs(turn(a, b, c, normal)) <= straight * norm(b - a) * norm(c - b);
+    if (is_straight)
       loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i)), i = 0;
     else
       i++;
@@ -39,7 +39,7 @@ Loop without_straight_corners(Loop loop, Vec3 normal) {
   return loop;
 }
 
-bool is_convex(const Loop& loop, Vec3 normal) {
+bool is_convex_outline(const Outline& loop, Vec3 normal) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; i++)
     if (!turns_left(loop[i], loop[(i + 1) % n], loop[(i + 2) % n], normal)) return false;
@@ -56,7 +56,7 @@ bool cross_each_other(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 normal) {
          (a_side == 0.0 && between(c, d, a)) || (b_side == 0.0 && between(c, d, b));
 }
 
-void require_simple(const Loop& loop, Vec3 normal) {
+void require_simple(const Outline& loop, Vec3 normal) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; i++)
     for (std::size_t k = i + 2; k < n; k++)
@@ -64,7 +64,7 @@ void require_simple(const Loop& loop, Vec3 normal) {
               "the outline crosses itself");
 }
 
-bool is_ear(const Loop& loop, std::size_t i, Vec3 normal) {
+bool is_ear(const Outline& loop, std::size_t i, Vec3 normal) {
   const std::size_t n = loop.size();
   const Vec3 a = loop[(i + n - 1) % n], b = loop[i], c = loop[(i + 1) % n];
   if (!turns_left(a, b, c, normal)) return false;
@@ -75,8 +75,8 @@ bool is_ear(const Loop& loop, std::size_t i, Vec3 normal) {
   return true;
 }
 
-std::vector<Loop> triangles_of(Loop loop, Vec3 normal) {
-  std::vector<Loop> triangles;
+std::vector<Outline> triangles_of(Outline loop, Vec3 normal) {
+  std::vector<Outline> triangles;
   while (loop.size() > 3) {
     std::size_t ear = 0;
     while (ear < loop.size() && !is_ear(loop, ear, normal)) ear++;
@@ -92,19 +92,19 @@ std::vector<Loop> triangles_of(Loop loop, Vec3 normal) {
 bool is_same(Vec3 a, Vec3 b) { return norm2(a - b) == 0.0; }
 
 /// Both as one where they share an edge and it is convex.
-std::optional<Loop> together(const Loop& a, const Loop& b, Vec3 normal) {
+std::optional<Outline> together(const Outline& a, const Outline& b, Vec3 normal) {
   for (std::size_t i = 0; i < a.size(); i++)
     for (std::size_t k = 0; k < b.size(); k++) {
       if (!is_same(a[i], b[(k + 1) % b.size()]) || !is_same(a[(i + 1) % a.size()], b[k])) continue;
-      Loop sum;
+      Outline sum;
       for (std::size_t j = 0; j < a.size(); j++) sum.push_back(a[(i + 1 + j) % a.size()]);
       for (std::size_t j = 2; j < b.size(); j++) sum.push_back(b[(k + j) % b.size()]);
-      if (is_convex(sum, normal)) return sum;
+      if (is_convex_outline(sum, normal)) return sum;
     }
   return {};
 }
 
-bool put_two_together(std::vector<Loop>& parts, Vec3 normal) {
+bool put_two_together(std::vector<Outline>& parts, Vec3 normal) {
   for (std::size_t i = 0; i < parts.size(); i++)
     for (std::size_t k = i + 1; k < parts.size(); k++)
       if (auto sum = together(parts[i], parts[k], normal)) {
@@ -118,12 +118,12 @@ bool put_two_together(std::vector<Loop>& parts, Vec3 normal) {
 }  // namespace
 
 std::vector<std::vector<Vec3>> convex_parts(std::span<const Vec3> outline, Vec3 normal) {
-  Loop loop = without_straight_corners({outline.begin(), outline.end()}, normal);
+  Outline loop = without_straight_corners({outline.begin(), outline.end()}, normal);
   require(loop.size() >= 3, "the outline has no area");
   require_simple(loop, normal);
   if (area(loop, normal) < 0.0) std::reverse(loop.begin() + 1, loop.end());
-  if (is_convex(loop, normal)) return {loop};
-  std::vector<Loop> parts = triangles_of(std::move(loop), normal);
+  if (is_convex_outline(loop, normal)) return {loop};
+  std::vector<Outline> parts = triangles_of(std::move(loop), normal);
   while (put_two_together(parts, normal)) {}
   return parts;
 }

@@ -1809,6 +1809,7 @@ function OpenedScene:restore(snapshot) end
 ---@field at? vec [m] where they meet (default on their way to each other)
 ---@field time_constant? number [s] with which they are drawn together (default `0.05`)
 ---@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
+---@field axis? vec [1] the hinge turns about it only; world axes as they are when it is made (default none: about any)
 ---@field on_met? fun(hinge: Particle) called in the step after (default none)
 ---@field name? string of the hinge (default `""`)
 

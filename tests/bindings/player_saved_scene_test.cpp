@@ -110,7 +110,7 @@ struct Built {
                     vec(0, 1, 0)};
         c.amount = vec(0, 0, 0.2);
       }
-      if (c.form == MadeForm::rod && !world().plane.flat() && number() < 0.5) c.amount = vec(0, 1, 0);
+      if (c.form == MadeForm::rod) c.amount = number() < 0.5 ? vec(0, 1, 0) : zero3();
       if (c.form == MadeForm::rod) c.points = {zero3(), vec(around(1, 0.5), around(0, 1), 0)};
       if (a && number() < 0.7 && c.form != MadeForm::box) aim(a, c.point, c.thing, c.position);
       if (b && c.form == MadeForm::rod && number() < 0.5 && b != a) {

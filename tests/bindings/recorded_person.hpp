@@ -193,7 +193,7 @@ class RecordedPerson {
     }
     if (c.kind == Command::Kind::tie) {
       c.points = {c.position};
-      c.name = std::array{"rod", "rope", "spring", "chain"}[below(4)];
+      c.name = std::array{"rod", "rope", "spring"}[below(3)];
     }
     c.radius = c.kind == Command::Kind::make ? 0.05 : 0.5;
     c.energy = 0.1;

@@ -137,9 +137,9 @@ TEST_CASE("build by hand: what is refused leaves nothing behind") {
   tie.points = {vec(0.2, 0, 0)};
   CHECK_THROWS_AS(tie_by_hand(world, tie), Error);
   CHECK(points_of(world, box) == 0);
-  tie.name = "chain";
+  tie.name = "glue";
   tie.other_thing = {};
-  CHECK_THROWS_WITH(tie_by_hand(world, tie), Contains("there is no 'chain'"));
+  CHECK_THROWS_WITH(tie_by_hand(world, tie), Contains("there is no 'glue'"));
   CHECK(points_of(world, box) == 0);
 }
 

@@ -82,7 +82,7 @@ struct Bench {
 
 TEST_CASE("a tool that is chosen again takes its next variant, and tools go round", "[view]") {
   for (const Tool& tool : tools()) CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
-  ToolChoice choice{ToolKind::make, 7};
+  ToolChoice choice{ToolKind::make, tools()[7].variants.size() - 1};
   choice.choose(ToolKind::make);
   CHECK(choice.variant == 0);
   choice.move_on(-1);
@@ -300,7 +300,7 @@ TEST_CASE("make makes rods that are hinged to what is under their ends, balls an
   }
   bench.click({300, 200});
   CHECK(bench.world.bodies.ids().size() == 6);
-  CHECK(bench.last_log().empty());
+  CHECK(bench.last_log() == "");
 }
 
 TEST_CASE("where something touches, what is made touches: it falls on the floor and rests there", "[view]") {
@@ -393,39 +393,44 @@ TEST_CASE("a polygon is made of a stroke about it, and one that crosses itself i
 TEST_CASE("a hinge that is made in space turns about the axis to the viewer, a ball hinge freely", "[view]") {
   for (const std::size_t variant : {std::size_t{0}, ball_hinge}) {
     Bench bench(1);
-    const BodyId a = bench.rods[0];
-    bench.choose(ToolKind::make);
-    bench.drag(bench.seen(vec(0, 2, 0)), bench.seen(vec(1.5, 2, 0)));
-    const BodyId b = bench.world.bodies.ids().back();
-    const PointId end = bench.world.bodies[b].points[0];
+    bench.world.settings.gravity = zero3();
+    add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
+    bench.choose(ToolKind::make, 2);
+    bench.drag(bench.seen(vec(-1, 2, 0)), bench.seen(vec(0, 3, 0)));
+    const BodyId a = bench.world.bodies.ids().back();
+    bench.drag(bench.seen(vec(1, 2, 0)), bench.seen(vec(2, 3, 0)));
     bench.choose(ToolKind::join, variant);
-    bench.drag(bench.seen(bench.tail(0)), bench.seen(end));
-    bench.frame(480);
+    bench.drag(bench.seen(vec(-0.1, 2.5, 0)), bench.seen(vec(1.1, 2.5, 0)));
+    for (int i = 0; i < 960 && hinges(bench.world).empty(); i++) bench.frame(1);
+    CHECK(bench.last_log() == "");
     REQUIRE(hinges(bench.world).size() == 1);
     const Particle& ring = bench.world.particles[hinges(bench.world)[0]];
     REQUIRE(ring.axes.size() == (variant == 0 ? 1 : 0));
     if (variant != 0) continue;
     const Constraint& axis = bench.world.constraints[ring.axes[0]];
     const Vec3 of_a = rotate(orientation(bench.world, a), axis.body_a == a ? axis.axis_a : axis.axis_b);
-    CHECK(std::fabs(of_a[2]) == Approx(1.0).margin(1e-6));
+    const double turned = norm(angular_velocity(bench.world.motion_of(a))) * bench.world.settings.step;  // in that step
+    CHECK(std::acos(std::fmin(1.0, std::fabs(of_a[2]))) <= turned + 1e-6);
   }
 }
 
 TEST_CASE("a chain leads out of what it is tied to, holds its ends, and touches what lies under it", "[view]") {
   FlatBench bench;
-  bench.world.settings.gravity = vec(0, -9.81, 0);
   add_shape(bench.world, small_worlds::shape(BoxShape{vec(0.2, 0.2, 0.5)}, vec(0, 1.5, 0)));
   bench.choose(ToolKind::make, 2);
   bench.drag(bench.seen(vec(-2, 2, 0)), bench.seen(vec(-1, 3, 0)));
   const BodyId box = bench.world.bodies.ids().back();
   const std::size_t before = bench.world.bodies.size();
+  bench.choose(ToolKind::nail);
+  bench.click(bench.seen(vec(-1.5, 2.5, 0)));
   bench.choose(ToolKind::join, chain);
   bench.drag(bench.seen(vec(-1.5, 2.5, 0)), bench.seen(vec(2.5, 2.5, 0)));
   const std::size_t links = bench.world.bodies.size() - before;
   CHECK(links > 5);
   CHECK(hinges(bench.world).size() == links);
   bench.frame(2);
-  CHECK(norm(bench.world.motion_of(box).p) < 0.1 * bench.world.motion_of(box).mass);  // nothing pushed it away
+  CHECK(norm(bench.world.motion_of(box).p) < 1e-3 * bench.world.motion_of(box).mass);  // nothing pushes it away
+  set_gravity(bench.world, vec(0, -9.81, 0));
   double lowest = infinity;
   for (int i = 0; i < 240; i++) {
     step(bench.world);
