@@ -54,8 +54,8 @@ struct Command {
       zero3();  ///< [m] make: of what is made; bring: where to, the middle of its box; heat: the middle of the ball that is heated; else on the body
   Vec3 amount =
       zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's; drive: its motor's; make: half the edges
-      ///< of a box [m], a wheel's axle or a polygon's, half its thickness long [m], of a rod the axis of its hinges;
-      ///< join: the hinge's axis, 0: it turns freely; world axes
+  ///< of a box [m], a wheel's axle or a polygon's, half its thickness long [m], of a rod the axis of its hinges;
+  ///< join: the hinge's axis, 0: it turns freely; world axes
   std::vector<Vec3> points;  ///< [m] make: from `position`, the two ends of a rod first; join, tie: the other end alone
   MadeForm form =
       MadeForm::bare;      ///< make: what of it touches; bare: one point makes a free particle, more a rigid body
