@@ -9,7 +9,7 @@
 #include "view/gestures.hpp"
 #include "view/keys.hpp"
 #include "view/overlay.hpp"
-#include "view/selection.hpp"
+#include "view/selected_things.hpp"
 #include "view/tool_use.hpp"
 
 namespace pantin {
@@ -91,7 +91,7 @@ class PlayerInput {
   std::function<std::int32_t()> new_hand_;
   std::map<PointerId, Hold> holds_;
   PointId highlight_;
-  Selection selection_;
+  SelectedThings selection_;
   std::vector<AnyId> copied_;  ///< one of each whole that was: a body, or the point of a free particle
 };
 

@@ -65,8 +65,8 @@ struct Command {
   double energy = 0.0;     ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
   double value = 0.0;      ///< control: how far it is pressed, -1 to 1; 0: let go
   std::string
-      name;  ///< key, button, control; tie: "rod", "rope", "chain" or "spring"; make: "copy" of `thing` or `point` with all that
-      ///< is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
+      name;  ///< key, button, control; tie: "rod", "rope", "chain", "spring"; make: "copy" of `thing` or `point` with all
+             ///< that is joined to it, mirrored along `amount`; remove: "whole", it with all that is joined to it
 };
 
 /// (kinds) as recordings and the log call them

@@ -1,5 +1,5 @@
 // Several things are selected, copied, moved and removed as one, by pushed events.
-#include "view/selection.hpp"
+#include "view/selected_things.hpp"
 
 #include <catch2/catch.hpp>
 

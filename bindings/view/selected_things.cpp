@@ -1,4 +1,4 @@
-#include "view/selection.hpp"
+#include "view/selected_things.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +74,9 @@ Command command_of(Command::Kind kind, std::int32_t hand, const AnyId& thing) {
   return c;
 }
 
-void Selection::clear() { *this = {}; }
+void SelectedThings::clear() { *this = {}; }
 
-std::vector<AnyId> Selection::wholes(const World& world) const {
+std::vector<AnyId> SelectedThings::wholes(const World& world) const {
   std::vector<AnyId> found;
   std::vector<Things> seen;
   for (const AnyId& thing : things_) {
@@ -88,24 +88,24 @@ std::vector<AnyId> Selection::wholes(const World& world) const {
   return found;
 }
 
-bool Selection::has(const World& world, const AnyId& thing) const {
+bool SelectedThings::has(const World& world, const AnyId& thing) const {
   return !std::holds_alternative<std::monostate>(thing) &&
          std::ranges::any_of(wholes(world), [&](const AnyId& one) { return is_in(whole(world, one), thing); });
 }
 
-void Selection::press(double x, double y, bool moves) {
+void SelectedThings::press(double x, double y, bool moves) {
   does_ = moves ? Does::moves : Does::chooses;
   x0_ = x_ = x;
   y0_ = y_ = y;
 }
 
-void Selection::move(double x, double y) {
+void SelectedThings::move(double x, double y) {
   x_ = x;
   y_ = y;
 }
 
 /// A click takes one more, or one less; a box those whose centres are in it; a click beside all forgets them.
-void Selection::choose(const Viewport& viewport) {
+void SelectedThings::choose(const Viewport& viewport) {
   const World& world = viewport.world;
   if (std::hypot(x_ - x0_, y_ - y0_) < longest_click) {
     const AnyId thing = thing_at(viewport, x_, y_);
@@ -127,12 +127,12 @@ void Selection::choose(const Viewport& viewport) {
 }
 
 /// As far as the pointer went, in numbers that can be read.
-Vec3 Selection::way(const Viewport& viewport) const {
+Vec3 SelectedThings::way(const Viewport& viewport) const {
   const Vec3 way = place_to_make(viewport, x_, y_, false) - place_to_make(viewport, x0_, y0_, false);
   return viewport.world.plane.along(way);
 }
 
-void Selection::release(const Viewport& viewport, std::int32_t hand, ToolOutput& output) {
+void SelectedThings::release(const Viewport& viewport, std::int32_t hand, ToolOutput& output) {
   const World& world = viewport.world;
   const Does did = std::exchange(does_, Does::nothing);
   if (did == Does::chooses) {
@@ -155,7 +155,7 @@ void Selection::release(const Viewport& viewport, std::int32_t hand, ToolOutput&
   output.said.push_back("moved");
 }
 
-void Selection::add_marks(const Viewport& viewport, std::vector<Mark>& marks) const {
+void SelectedThings::add_marks(const Viewport& viewport, std::vector<Mark>& marks) const {
   const World& world = viewport.world;
   const Vec3 by = does_ == Does::moves ? way(viewport) : zero3();
   std::size_t rings = 0;

@@ -10,7 +10,7 @@ namespace pantin {
 
 /// Things that are copied, moved and removed as one, each with all that is joined to it. They are chosen by clicks, or by a
 /// box that is drawn over them, with shift held.
-class Selection {
+class SelectedThings {
  public:
   bool empty() const { return things_.empty(); }
   void clear();
