@@ -88,9 +88,8 @@ constexpr std::size_t number(Pass pass) { return static_cast<std::size_t>(pass);
 
 /// What is known of a body that touches, from step to step.
 struct TouchedBody {
-  /// (passes) Exact searches in a row that failed or were dear, with weights; solves until the next.
-  std::array<std::uint8_t, 3> failures{}, wait{};
-  Rest rest;                 ///< of one that nothing ties
+  std::array<std::uint8_t, 3> failures{}, wait{};  ///< (passes) in a row of exact searches; solves until the next
+  Rest rest;                                       ///< of one that nothing ties
   std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
@@ -187,19 +186,18 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
     if (used[k] && c.body_b >= 0)
       sets.join(island_number(model, tied, c.body_a), island_number(model, tied, static_cast<std::uint32_t>(c.body_b)));
   }
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> numbers(tied + all, none);  // (roots) of islands
+  std::vector<std::size_t> roots;
   for (std::size_t k = 0; k < used.size(); k++)
-    if (used[k]) numbers[sets.find(island_number(model, tied, contacts.list[k].body_a))] = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t& number : numbers)
-    if (number != none) number = count++;
-  if (space.size() < count) space.resize(count);
-  const std::span<TouchIsland> islands = std::span(space).first(count);
+    if (used[k]) roots.push_back(sets.find(island_number(model, tied, contacts.list[k].body_a)));
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  if (space.size() < roots.size()) space.resize(roots.size());
+  const std::span<TouchIsland> islands = std::span(space).first(roots.size());
   for (TouchIsland& island : islands) island.clear();
-  const auto island_of = [&](std::size_t thing) -> TouchIsland* {
-    const std::uint32_t number = numbers[sets.find(thing)];
-    return number == none ? nullptr : &islands[number];
+  const auto island_of = [&](std::size_t number) -> TouchIsland* {
+    const std::size_t root = sets.find(number);
+    const auto found = std::lower_bound(roots.begin(), roots.end(), root);
+    return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
   };
   index.assign(all, -1);
   for (std::uint32_t i = 0; i < tied; i++)

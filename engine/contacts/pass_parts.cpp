@@ -128,8 +128,7 @@ bool is_even(const ContactIsland& island) {
 }  // namespace
 
 bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearch search, TouchReport& report) {
-  constexpr std::uint8_t a_failure = 4, waits_after = 16;  // a dear search counts as a quarter of one that failed
-  constexpr std::uint8_t longest_wait = 7, after_dear = 128, dense = 255;
+  constexpr std::uint8_t waits_after = 4, longest_wait = 7, dense = 255;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
     for (const std::uint32_t thing : island.things)
@@ -144,17 +143,15 @@ bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearc
   });
   const SearchEffort effort = wait == 0           ? SearchEffort::all
                               : failures == dense ? SearchEffort::sweeps
-                              : wait > after_dear ? SearchEffort::slow
                                                   : SearchEffort::rounds;
   const IslandReport found = solve_island(island.problem, effort, search);
   count(found, island.problem, report);
   if (wait > 0) {
     wait--;
-    if (wait == after_dear) wait = 0;
   } else {
-    const int more = found.failed ? a_failure : found.dear ? 1 : 0, now = more > 0 ? failures + more : 0;
-    failures = found.too_dense ? dense : static_cast<std::uint8_t>(std::min<int>(now, waits_after));
-    wait = failures < waits_after ? 0 : found.failed ? longest_wait : after_dear + longest_wait;
+    const std::uint8_t again = failures < waits_after ? failures + 1 : waits_after;
+    failures = found.too_dense ? dense : found.failed ? again : 0;
+    wait = failures < waits_after ? 0 : longest_wait;
   }
   all([&](TouchedBody& body) {
     body.failures[number(pass)] = failures;

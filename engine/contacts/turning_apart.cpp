@@ -47,9 +47,7 @@ Vec3 off_tangent(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& roun
 }  // namespace
 
 double curving(Vec3 spin, double h) {
-  const double square = 0.25 * norm2(spin) * h * h, half = std::sqrt(square),
-               part = half > 0.05 ? functions::sin(half) / half  // below it to 1e-16
-                                  : 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
+  const double half = 0.5 * norm(spin) * h, part = half > 1e-4 ? functions::sin(half) / half : 1.0 - half * half / 6.0;
   return 0.5 * h * part * part;
 }
 

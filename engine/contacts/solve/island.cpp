@@ -165,9 +165,9 @@ double disc_residual(double x1, double x2, double u1, double u2, double radius) 
 }  // namespace
 
 double coulomb_residual(const IslandContact& c) {
-  const double normal = std::fabs(std::min(c.u[0] + c.compliance * c.impulse[0], c.impulse[0] * c.wn));
-  const double bound = c.friction * std::max(0.0, c.impulse[0]) * c.wt;
-  return std::max(normal, disc_residual(c.impulse[1] * c.wt, c.impulse[2] * c.wt, c.u[1], c.u[2], bound));
+  const double normal = std::fabs(std::fmin(c.impulse[0] * c.wn, c.u[0] + c.compliance * c.impulse[0]));
+  const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
+  return std::fmax(normal, disc_residual(c.impulse[1] * c.wt, c.impulse[2] * c.wt, c.u[1], c.u[2], bound));
 }
 
 double scalar_residual(const IslandScalar& s) {
@@ -183,7 +183,7 @@ double roll_residual(const ContactIsland& island, const IslandRoll& r) {
 
 double residual(const ContactIsland& island) {
   double most = 0.0;
-  for (const IslandContact& c : island.contacts) most = std::max(most, coulomb_residual(c));
+  for (const IslandContact& c : island.contacts) most = std::fmax(most, coulomb_residual(c));
   for (const IslandRoll& r : island.rolls) most = std::fmax(most, roll_residual(island, r));
   for (const IslandTie& t : island.ties) most = std::fmax(most, norm(t.u));
   for (const IslandScalar& s : island.scalars) most = std::fmax(most, scalar_residual(s));

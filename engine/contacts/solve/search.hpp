@@ -35,7 +35,6 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
 SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds);
 /// So many sweeps over the contacts, or `most_of_all` while one changes more than 1e3 `enough`, up and down, one by one, with all ties at
 /// once after each; ends where a sweep changes velocities at contacts by no more than `enough` [m/s]. Never far from the law, and quick; slow for what carries far.
-/// Where there is a `most_of_all`, much moves: then contacts that neither press nor near at the start come after the others.
 SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough,
                           std::uint32_t most_of_all = 0);
 

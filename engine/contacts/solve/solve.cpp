@@ -16,12 +16,10 @@ constexpr std::size_t few = 24;               // contacts: such an island is alw
 constexpr std::size_t many = 1000;            // contacts: a factorisation of such an island costs as much as 20 sweeps
 constexpr std::uint32_t sweeps_of_many = 60;  // more, where it is calm
 constexpr double very_calm = 0.1;             // of the speed of a calm island: one of many is solved exactly
-constexpr double slow = 0.3;              // of that speed: what is faster is searched exactly only while that is cheap:
-constexpr std::uint32_t cheap = 4;        // factorisations
-constexpr std::uint32_t most_rounds = 8;  // of proximal steps
-constexpr double accepted = 100.0;        // of the tolerance
-constexpr double deep = 2.5e8;            // of the tolerance: a hundredth of the thickness in a drift
-constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
+constexpr std::uint32_t most_rounds = 8;      // of proximal steps
+constexpr double accepted = 100.0;            // of the tolerance
+constexpr double deep = 2.5e8;                // of the tolerance: a hundredth of the thickness in a drift
+constexpr std::size_t most_updates = 100;     // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
 /// Puts impulses into the cone.
@@ -113,14 +111,12 @@ double dual_of(ContactIsland& island, Vec3 IslandContact::*start) {
   return dual(island);
 }
 
-/// The residual there.
-double choose_start(ContactIsland& island) {
+void choose_start(ContactIsland& island) {
   apply_impulses(island);
   observe(island);
-  const double first_residual = residual(island);
   const auto has_other = [](const IslandContact& c) { return norm2(c.other_start) > 0.0; };
-  if (first_residual <= island.tolerance || std::none_of(island.contacts.begin(), island.contacts.end(), has_other))
-    return first_residual;
+  if (std::none_of(island.contacts.begin(), island.contacts.end(), has_other) || residual(island) <= island.tolerance)
+    return;
   const double first = dual_of(island, &IslandContact::start);
   const std::vector<IslandTie> ties = island.ties;
   const std::vector<IslandScalar> scalars = island.scalars;
@@ -133,7 +129,6 @@ double choose_start(ContactIsland& island) {
     apply_impulses(island);
   }
   observe(island);
-  return residual(island);
 }
 
 /// How impulses change the kinetic energy [J]: by how much to first and second order of all of them, and what the law allows.
@@ -189,14 +184,10 @@ void search_surely(Search& search) {
 
 void search_calm(Search& search, SearchEffort effort) {
   const bool is_many = search.island.contacts.size() > many;
-  if (is_many && (effort == SearchEffort::rounds || !is_calm(search.island, kinetic_energy(search.island), very_calm)))
+  if (is_many && (effort != SearchEffort::all || !is_calm(search.island, kinetic_energy(search.island), very_calm)))
     return search.sweeps(sweeps_of_many);
-  const bool is_slow = is_calm(search.island, kinetic_energy(search.island), slow);
-  if (effort != SearchEffort::all && !is_slow) return;
   const double first = search.report.residual;
-  const std::uint32_t before = search.report.factorisations;
-  if (effort != SearchEffort::rounds) search.newton(most_of_newton);
-  search.report.dear = !is_slow && search.report.factorisations - before > cheap;
+  if (effort == SearchEffort::all) search.newton(most_of_newton);
   if (search.solved()) return;
   const bool failed = search.report.failed;
   search.proximal();
@@ -209,8 +200,9 @@ void search_calm(Search& search, SearchEffort effort) {
 
 IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSearch wanted) {
   prepare(island);
+  choose_start(island);
   Search search{island, wanted == ContactSearch::exact};
-  search.report.residual = choose_start(island);
+  search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
   const bool surely = is_small || wanted == ContactSearch::exact;

@@ -10,16 +10,14 @@ struct IslandReport {
   std::uint32_t iterations = 0, factorisations = 0;
   bool failed = false;     ///< an exact search, where one was tried,
   bool too_dense = false;  ///< since it would cost more than it is worth
-  bool dear = false;       ///< it took more than what moves so fast deserves
 };
 
 /// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth
 /// while; within a `part` of that.
 bool is_calm(const ContactIsland& island, double kinetic, double part = 1.0);
 
-/// How far the search for a large island that is calm may go: to sweeps; where it is slow, too, to proximal rounds, or to
-/// Newton's iteration as well; to that in any case.
-enum class SearchEffort { sweeps, rounds, slow, all };
+/// How far the search for a large island that is calm may go: to sweeps, to proximal rounds, to Newton's iteration after them.
+enum class SearchEffort { sweeps, rounds, all };
 
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
 /// that is asked for, as far as that succeeds, and where it is calm, as far as `effort` goes; else by sweeps. The impulses balance

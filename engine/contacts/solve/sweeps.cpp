@@ -22,7 +22,6 @@ constexpr std::uint8_t between = 2, parts = 3, worlds = 2;
 
 struct Sweeps {
   ContactIsland& island;
-  bool idle_apart = false;  // what neither presses nor nears at the start comes after the rest
   SweepSpace& space = island.sweep_space;
   std::vector<Scaled>&free = space.free, &y = space.y;
   std::vector<ContactBatch>& batches = space.batches;
@@ -39,11 +38,11 @@ struct Sweeps {
     }
     y = free;
   }
-  /// Whether it makes halves of an island of many contacts, that two threads can sweep: by the way that it is widest.
-  bool divide() {
+  /// Of islands of many contacts, halves that two threads can sweep: by the way that they are widest.
+  void divide() {
     constexpr std::size_t many = 3000;  // contacts: two halves take more sweeps than one whole
     space.half.assign(island.bodies.size(), 0);
-    if (island.contacts.size() < many) return false;
+    if (island.contacts.size() < many) return;
     Vec3 low = vec(infinity, infinity, infinity), high = low * -1.0;
     for (const IslandBody& b : island.bodies)
       for (int k = 0; k < 3; k++) {
@@ -61,9 +60,7 @@ struct Sweeps {
     for (std::size_t i = 0; i < along.size(); i++) space.half[i] = island.bodies[i].x[axis] < *median ? 0 : 1;
     const auto lie_between = std::count_if(island.contacts.begin(), island.contacts.end(),
                                            [&](const IslandContact& c) { return part_of(c) == between; });
-    if (4 * static_cast<std::size_t>(lie_between) <= island.contacts.size()) return true;
-    space.half.assign(along.size(), 0);
-    return false;
+    if (4 * static_cast<std::size_t>(lie_between) > island.contacts.size()) space.half.assign(along.size(), 0);
   }
   std::uint32_t number(std::int32_t body) const { return static_cast<std::uint32_t>(body); }
   /// 0 or 1, the half that it is in; 2: between them.
@@ -71,50 +68,30 @@ struct Sweeps {
     const std::uint8_t half = space.half[number(c.a)];
     return c.b < 0 || space.half[number(c.b)] == half ? half : between;
   }
-  /// Contacts in the order of a sweep, from the lowest up; what is idle apart, most of which stays so, has batches of its own.
-  void order() {
-    space.order.clear();
-    for (std::uint32_t k = 0; k < island.contacts.size(); k++) {
-      const IslandContact& c = island.contacts[k];
-      const bool idle = idle_apart && !(c.start[0] > 0.0 || c.u[0] < 0.0);
-      space.order.push_back({idle ? SweepGroup::idle : SweepGroup::pressing, k, c.height});
-    }
-    std::sort(space.order.begin(), space.order.end(), [](const SweepPlace& x, const SweepPlace& y) {
-      if (x.group != y.group) return x.group < y.group;
-      return x.height != y.height ? x.height < y.height : x.contact < y.contact;
-    });
-  }
-  /// Puts contacts of a part, in their order, each into the first batch with room after all that have its bodies. Each half
+  /// Puts contacts of a part, from the lowest up, each into the first batch with room after all that have its bodies. Each half
   /// has a world of its own, which stays 0.
   void arrange(std::uint8_t part) {
-    auto base = static_cast<std::uint32_t>(batches.size());
+    const auto base = static_cast<std::uint32_t>(batches.size());
     const auto bodies = static_cast<std::uint32_t>(island.bodies.size());
     const std::uint32_t world = bodies + part % between;
     std::vector<std::uint32_t>&next = space.next_batch, &room = space.with_room, &occupied = space.occupied;
     next.assign(bodies, base);
     room.resize(base);
     room.push_back(base);
-    bool presses = true;
-    for (const auto& [group, k, height] : space.order) {
+    for (const auto& [height, k] : space.by_height) {
       const IslandContact& c = island.contacts[k];
       if (part_of(c) != part) continue;
-      if (presses && group == SweepGroup::idle) {
-        presses = false;
-        next.assign(bodies, static_cast<std::uint32_t>(batches.size()));
-      }
       std::uint32_t i = c.b < 0 ? next[number(c.a)] : std::max(next[number(c.a)], next[number(c.b)]);
       while (room[i] != i) i = room[i] = room[room[i]];
       if (i == batches.size()) {
         batches.emplace_back().a.fill(world);
         batches.back().b.fill(world);
-        space.contacts.emplace_back().fill(nullptr);
         occupied.push_back(0);
         room.push_back(i + 1);
       }
       const std::uint32_t lane = occupied[i]++;
       batches[i].a[lane] = number(c.a);
       batches[i].b[lane] = c.b < 0 ? world : number(c.b);
-      space.contacts[i][lane] = &c;
       if (occupied[i] == batch_size) room[i] = i + 1;
       position[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
       next[number(c.a)] = i + 1;
@@ -123,39 +100,27 @@ struct Sweeps {
     space.end[part] = batches.size();
   }
   void arrange() {
-    order();
-    const bool divided = divide();
+    space.by_height.clear();
+    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
+      space.by_height.emplace_back(island.contacts[k].height, k);
+    std::sort(space.by_height.begin(), space.by_height.end());
+    divide();
     space.occupied.clear();
     space.with_room.clear();
-    space.contacts.clear();
     batches.clear();
     position.resize(island.contacts.size());
-    arrange(0);
-    space.end.fill(batches.size());
-    for (std::uint8_t part = 1; divided && part < parts; part++) arrange(part);
+    for (std::uint8_t part = 0; part < parts; part++) arrange(part);
   }
-  void fill(ContactBatch& batch, const std::array<const IslandContact*, batch_size>& contacts) {
-    static const IslandContact none = [] {
-      IslandContact c;
-      c.frame = zero33();
-      return c;
-    }();
-    std::array<const IslandContact*, batch_size> of;
-    for (std::size_t lane = 0; lane < batch_size; lane++) {
-      of[lane] = contacts[lane] ? contacts[lane] : &none;
-      batch.friction[lane] = of[lane]->friction;
-      batch.compliance[lane] = of[lane]->compliance;
-    }
-    const auto packed = [&](auto read) { return pack(read(*of[0]), read(*of[1]), read(*of[2]), read(*of[3])); };
-    const Vec3x4 ra = packed([](const IslandContact&c) { return c.ra; }),
-                 rb = packed([](const IslandContact&c) { return c.rb; });
+  void fill_lane(ContactBatch& batch, std::size_t lane, const IslandContact& c) {
     for (int k = 0; k < 3; k++) {
-      batch.frame[k] = packed([&](const IslandContact& c) { return c.frame[k]; });
-      batch.spin_a[k] = cross(ra, batch.frame[k]);
-      batch.spin_b[k] = cross(rb, batch.frame[k]);
+      set_lane(batch.frame[k], lane, c.frame[k]);
+      set_lane(batch.spin_a[k], lane, cross(c.ra, c.frame[k]));
+      if (c.b >= 0) set_lane(batch.spin_b[k], lane, cross(c.rb, c.frame[k]));
     }
-    batch.bias = packed([](const IslandContact& c) { return c.bias; });
-    batch.impulse = packed([](const IslandContact& c) { return c.start[0] > 0.0 ? c.start : zero3(); });
+    batch.friction[lane] = c.friction;
+    batch.compliance[lane] = c.compliance;
+    set_lane(batch.bias, lane, c.bias);
+    if (c.start[0] > 0.0) set_lane(batch.impulse, lane, c.start);
   }
   /// From moments to what rows read of spins.
   void scale_side(const std::array<std::uint32_t, batch_size>& numbers, Lanes& by, Mat3x4& spin) {
@@ -196,9 +161,10 @@ struct Sweeps {
   }
   void add_batches() {
     arrange();
+    for (std::size_t k = 0; k < island.contacts.size(); k++)
+      fill_lane(batches[position[k] / batch_size], position[k] % batch_size, island.contacts[k]);
     for (std::size_t i = 0; i < batches.size(); i++) {
       ContactBatch& batch = batches[i];
-      fill(batch, space.contacts[i]);
       scale_side(batch.a, batch.by_a, batch.spin_a);
       scale_side(batch.b, batch.by_b, batch.spin_b);
       weigh(batch, space.occupied[i]);
@@ -284,17 +250,10 @@ struct Sweeps {
     const std::array<Vec3, batch_size> each = unpack(change);
     for (std::size_t lane = 0; lane < batch_size; lane++) y[to[lane]].*part += each[lane];
   }
-  /// M^½ v of the bodies of a batch: of a the centres' less those of b, and spins.
-  struct Seen {
-    Vec3x4 centre, spin_a, spin_b;
-  };
-  Seen see(const ContactBatch& c) const {
-    return {packed(c.a, &Scaled::centre) * c.by_a - packed(c.b, &Scaled::centre) * c.by_b, packed(c.a, &Scaled::spin),
-            packed(c.b, &Scaled::spin)};
-  }
-  /// Velocity along column `k` of the frames, without the bias.
-  static Lanes along(const ContactBatch& c, const Seen& seen, int k) {
-    return dot(c.frame[k], seen.centre) + dot(c.spin_a[k], seen.spin_a) - dot(c.spin_b[k], seen.spin_b);
+  Vec3x4 velocity(const ContactBatch& c) const {
+    const Vec3x4 centre = packed(c.a, &Scaled::centre) * c.by_a - packed(c.b, &Scaled::centre) * c.by_b;
+    return transposed_times(c.frame, centre) + transposed_times(c.spin_a, packed(c.a, &Scaled::spin)) -
+           transposed_times(c.spin_b, packed(c.b, &Scaled::spin)) + c.bias;
   }
   void give(const ContactBatch& c, const Vec3x4& impulse) {
     const Vec3x4 p = c.frame * impulse;
@@ -317,12 +276,11 @@ struct Sweeps {
   }
   /// Coulomb's law of four contacts, others as they are.
   void visit(ContactBatch& c, Lanes& most, Lanes& change) {
-    const Seen seen = see(c);
-    const Vec3x4 old = c.impulse;
-    const Lanes un = along(c, seen, 0) + c.bias.x, zero = lanes(0.0),
-                n = larger(old.x - (un + c.compliance * old.x) * c.i00, zero), dn = n - old.x, bound = c.friction * n;
+    const Vec3x4 u = velocity(c), old = c.impulse;
+    const Lanes zero = lanes(0.0), n = larger(old.x - (u.x + c.compliance * old.x) * c.i00, zero), dn = n - old.x,
+                bound = c.friction * n;
     if (!any((n > zero) | (old.x != zero))) return;
-    const Lanes u1 = along(c, seen, 1) + c.bias.y + c.w01 * dn, u2 = along(c, seen, 2) + c.bias.z + c.w02 * dn;
+    const Lanes u1 = u.y + c.w01 * dn, u2 = u.z + c.w02 * dn;
     Lanes t1 = old.y - (c.i11 * u1 + c.i12 * u2), t2 = old.z - (c.i12 * u1 + c.i22 * u2);
     const auto slides = t1 * t1 + t2 * t2 > bound * bound;
     if (any(slides)) {
@@ -492,7 +450,7 @@ struct Sweeps {
 
 SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t most_of_all) {
   SearchReport report;
-  Sweeps s{island, most_of_all > 0};
+  Sweeps s{island};
   s.begin();
   double last_change = 0.0, on = 0.0;
   std::uint32_t until = most_sweeps;

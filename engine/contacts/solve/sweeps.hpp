@@ -2,13 +2,12 @@
 // What sweeps over contacts work on; see sweeps.cpp.
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/vectors4.hpp"
 
 namespace pantin {
-
-struct IslandContact;
 
 /// M^½ v of a body: of its centre, of its spin.
 struct Scaled {
@@ -44,15 +43,6 @@ struct ScalarBlock {
   Vec3 centre = zero3(), spin = zero3();
 };
 
-enum class SweepGroup : std::uint8_t { pressing, idle };
-
-/// Where a contact comes in a sweep: those that press or near at its start first, the lowest first.
-struct SweepPlace {
-  SweepGroup group;
-  std::uint32_t contact;
-  double height;  // [m²/s²] as of the contact
-};
-
 struct SweepSpace {
   std::vector<Scaled> free, y, before, conjugate;  ///< (bodies and, last, a world for each half, which stays 0)
   std::vector<ContactBatch> batches;    ///< of the halves and of what is between them, each from the lowest up
@@ -60,9 +50,8 @@ struct SweepSpace {
   std::vector<std::uint8_t> half;       ///< (bodies)
   std::vector<double> along;            ///< (bodies) [m] scratch
   std::vector<std::uint32_t> position;  ///< (contacts) batch times four, and lane
-  std::vector<SweepPlace> order;        ///< (contacts) rising
-  std::vector<std::array<const IslandContact*, batch_size>> contacts;  ///< (batches) of the lanes; null: none
-  std::vector<std::uint32_t> next_batch;  ///< (bodies) the first after the last that has it
+  std::vector<std::pair<double, std::uint32_t>> by_height;  ///< contacts
+  std::vector<std::uint32_t> next_batch;                    ///< (bodies) the first after the last that has it
   std::vector<std::uint32_t> with_room,
       occupied;  ///< (batches) union-find: the first from here with a free lane; lanes in use
   std::vector<RollBlock> rolls;
