@@ -48,8 +48,7 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
 }  // namespace
 
 int replay(const RunOptions& options, const std::string& file, const std::string& home) {
-  if (options.untrusted && !options.headless)
-    throw UsageError("--untrusted replays without a window: add --headless");
+  if (options.untrusted && !options.headless) throw UsageError("--untrusted replays without a window: add --headless");
   if (options.headless) return replay_unseen(options, file, home);
   try {
     if (const Display display; display.seen()) return replay_in_window(options, file, home);

@@ -15,8 +15,8 @@ void make_by_hand(World& world, const Command& command);
 /// Draws two points, or places on bodies, together, and hinges them. Throws Error where it cannot be, and nothing is changed.
 void join_by_hand(World& world, const Command& command);
 /// A rod, rope, chain or spring between two points, places on bodies, or a place in the world. A rope is one string; a chain
-/// is of rods that touch things. A spring swings what it holds three
-/// times a second, and dies down. Throws Error where it cannot be, and nothing is changed.
+/// is of rods that touch things. A spring swings what it holds three times a second, and dies down. Throws Error where it
+/// cannot be, and nothing is changed.
 void tie_by_hand(World& world, const Command& command);
 /// A motor about the axis `amount` with that speed [rad/s], of a body against what it is hinged to, or nailed; 0 takes it
 /// away. It has the torque to lift all that is tied to it by its own reach, and some more. Throws Error where it turns against nothing.

@@ -33,7 +33,7 @@ TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but i
   for (std::size_t at = 0; (at = done.err.find("ALLOWED ", at)) != std::string::npos; at++)
     allowed += done.err.substr(at + 8, done.err.find('\n', at) - at - 8) + "; ";
   CHECK(allowed == (writes ? "reads the scene's folder; writes beside the outputs; starts a thread; "
-                                     : "reads the scene's folder; starts a thread; "));
+                           : "reads the scene's folder; starts a thread; "));
 }
 
 TEST_CASE("confine: an untrusted scene runs as any other") {
