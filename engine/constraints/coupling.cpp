@@ -32,11 +32,6 @@ double present_angle(const Model& model, const CoupledValue& v) {
   return angle + turn * std::round((v.angle - angle) / turn);
 }
 
-double gyration(const Model& model, BodyId body) {
-  const Motion& m = model.motion_of(body);
-  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
-}
-
 }  // namespace
 
 const RowRule coupled_row = {
@@ -79,9 +74,8 @@ void start_coupling(const Model& model, Constraint& c, double tolerance) {
 double coupling_gap(const Model& model, const Constraint& c) {
   double most = 0.0;  // by how much the sum changes with a motion of a metre of one of its things
   for (const CoupledValue& v : c.coupled()) {
-    double lever = v.body_a ? gyration(model, v.body_a) : 1.0;
-    if (v.body_a && v.body_b) lever = std::fmin(lever, gyration(model, v.body_b));
-    most = std::fmax(most, std::fabs(weight_of(c, v)) / lever);
+    const double length = v.body_a ? lever(model, v.body_a, v.body_b) : 1.0;
+    most = std::fmax(most, std::fabs(weight_of(c, v)) / length);
   }
   const double over = coupled_sum(model, c) - c.as<CouplingData>().total - c.attract.excess;
   return (has_range(c) ? std::fmax(0.0, over) : std::fabs(over)) / most;

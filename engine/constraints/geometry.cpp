@@ -8,14 +8,14 @@ namespace pantin {
 
 namespace {
 
-double gyration(const Model& model, BodyId body) {
-  const Motion& m = model.motion_of(body);
-  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
-}
-
 /// Where body_b, or the world, wants body_a's frame.
 Quat wanted_orientation(const Model& model, const Constraint& c) {
   return c.body_b ? orientation(model, c.body_b) * c.turn.now : c.turn.now;
+}
+
+/// Mean radius of gyration about its axes [m].
+double mean_gyration(const Motion& m) {
+  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
 }
 
 }  // namespace
@@ -32,9 +32,9 @@ Vec3 present_turn(const Model& model, const Constraint& c) {
   return direction(vec(q.x, q.y, q.z)) * (2.0 * sign * functions::atan2(s, std::fabs(q.w)));
 }
 
-double lever(const Model& model, const Constraint& c) {
-  const double a = gyration(model, c.body_a);
-  return c.body_b ? std::fmin(a, gyration(model, c.body_b)) : a;
+double lever(const Model& model, BodyId a, BodyId b) {
+  const double of_a = mean_gyration(model.motion_of(a));
+  return b ? std::fmin(of_a, mean_gyration(model.motion_of(b))) : of_a;
 }
 
 void require_two_ends(const Model& model, const Constraint& c, std::string_view hint) {

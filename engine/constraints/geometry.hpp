@@ -29,8 +29,9 @@ inline Vec3 relative_spin(const Model& model, const Constraint& c) {
 
 /// Rotation vector, world axes, from where an orient or weld wants its body to where it is [rad].
 Vec3 present_turn(const Model& model, const Constraint& constraint);
-/// Least radius of gyration of the bodies whose rotation a constraint ties [m]: turns an angle into a distance.
-double lever(const Model& model, const Constraint& constraint);
+/// The lesser of the mean radii of gyration of a body and of another, or null [m]: turns an angle into a distance.
+double lever(const Model& model, BodyId a, BodyId b);
+inline double lever(const Model& model, const Constraint& c) { return lever(model, c.body_a, c.body_b); }
 
 /// Throws Error, which begins with the kind's name, unless its second end is another particle than the first, not of one body
 /// with it, or a finite position; `hint` ends what is said of one particle.
