@@ -1,4 +1,4 @@
-// What falls into a bin, of every kind, from its fall to its sleep. `pantin bench heaps` has more seeds and two rates.
+// What falls into a bin, of every kind, from its fall to its sleep. `pantin bench heaps` has more seeds and two rates of each.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -76,6 +76,24 @@ TEST_CASE("Heaps: what falls into a bin gains nothing, stays in it; boxes, balls
   const std::string rest[] = {"boxes(100)", "balls(100)", "slabs(80)"};
   const bool rests = std::find(std::begin(rest), std::end(rest), name) != std::end(rest);
   CHECK((!rests || heap.world.contacts.sleepers.size() == heap.bodies.size()));
+}
+
+TEST_CASE("Heaps: slabs that fall into a bin gain nothing at 60 Hz", "[slow]") {
+  const auto seed = GENERATE(range(std::uint32_t{1}, std::uint32_t{6}));
+  CAPTURE(seed);
+  Heap heap("slabs(80)", seed);
+  heap.world.settings.step = 1.0 / 60.0;
+  const double start = heap.less_push_out();
+  double last = start, rise = 0.0, rises = 0.0;
+  while (heap.world.time < 4.0) {
+    heap.step();
+    const double now = heap.less_push_out();
+    rise = std::fmax(rise, now - last);
+    rises += std::fmax(0.0, now - last);
+    last = now;
+  }
+  CHECK(rise < 1e-5 * start);
+  CHECK(rises < 1e-4 * start);
 }
 
 TEST_CASE("Heaps: bins of boxes come to rest at 60 Hz, and nothing throws about what lies still", "[slow]") {
