@@ -159,13 +159,13 @@ const std::string floor_in_plane = "scene.plane = \"xy\"\nscene:floor {}\n", flo
 
 TEST_CASE(
     "saved scene: random machines that were built by hand are equal when they are opened again, and go on equal") {
-  check_random_machines(floor_in_plane, 1, 10);
-  check_random_machines(floor_in_space, 1, 10);
+  check_random_machines(floor_in_plane, 1, 5);
+  check_random_machines(floor_in_space, 1, 5);
 }
 
 TEST_CASE("saved scene: more random machines are equal when they are opened again, and go on equal", "[slow]") {
-  check_random_machines(floor_in_plane, 11, 30);
-  check_random_machines(floor_in_space, 11, 30);
+  check_random_machines(floor_in_plane, 6, 30);
+  check_random_machines(floor_in_space, 6, 30);
 }
 
 TEST_CASE("saved scene: a cart is what a person would have written") {
