@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bindings/program_support.hpp"
+#include "player/sweep/cases.hpp"
 
 using namespace pantin;
 using namespace pantin::support;
@@ -146,6 +147,12 @@ TEST_CASE("best: that the best is at an end of its range is told") {
   CHECK_THAT(end.out, Contains("a is at an end of its range, 0.4 to 0.8: there may be better beyond it"));
   const Finished inside = search_peak(folder, {"--set", "a=0.1:0.8", "--best", "value", "--sample", "60"});
   CHECK_THAT(inside.out, !Contains("at an end"));
+  const player::Axis over_decades = player::read_axis("a=1e-6:1:log");
+  CHECK_FALSE(over_decades.is_near_end("1e-3"));
+  CHECK((over_decades.is_near_end("1.001e-6") && over_decades.is_near_end("1")));
+  player::Axis whole = player::read_axis("n=1:100000");
+  whole.whole = true;
+  CHECK((whole.is_near_end("1") && !whole.is_near_end("2")));
 }
 
 TEST_CASE("best: what cannot be searched is refused before the first case") {

@@ -6,79 +6,10 @@
 #include "edit/edit.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
-#include "step/step.hpp"
-#include "view/player_input.hpp"
-#include "window/small_worlds.hpp"
+#include "window/workbench.hpp"
 
 using namespace pantin;
 using Catch::Contains;
-
-namespace {
-
-constexpr int width = 1280, height = 720;
-
-/// A chain of rods that is nailed at its first point, and hands before a picture of it.
-struct Bench {
-  World world;
-  std::vector<BodyId> rods;
-  Stage stage;
-  Camera camera;
-  std::int32_t hands = 0;
-  PlayerInput person{[this] { return hands++; }};
-  Gestures gestures;
-  std::vector<std::string> said;
-
-  explicit Bench(int links = 4) : rods(small_worlds::chain(world, links)) {
-    stage = find_stage(world);
-    camera = first_camera(stage, static_cast<double>(width) / height);
-  }
-  PointId head(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[0]; }
-  PointId tail(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[1]; }
-  Projected seen(Vec3 position) const { return camera.project(position, width, height).value(); }
-  Projected seen(PointId point) const { return seen(position(world, point)); }
-
-  void event(PointerEvent::Kind kind, Projected at, PointerId id) {
-    Pointer& pointer = gestures.pointers[id];
-    PointerEvent e;
-    e.kind = kind;
-    e.button = kind == PointerEvent::Kind::move ? PointerEvent::Button::none : PointerEvent::Button::left;
-    e.pointer = id;
-    e.dx = at.x - pointer.x;
-    e.dy = at.y - pointer.y;
-    e.x = pointer.x = at.x;
-    e.y = pointer.y = at.y;
-    if (kind != PointerEvent::Kind::move) pointer.left = kind == PointerEvent::Kind::press;
-    gestures.events.push_back(e);
-  }
-  void press(Projected at, PointerId id = 0) { event(PointerEvent::Kind::press, at, id); }
-  void move(Projected at, PointerId id = 0) { event(PointerEvent::Kind::move, at, id); }
-  void release(Projected at, PointerId id = 0) { event(PointerEvent::Kind::release, at, id); }
-  /// A frame of some steps.
-  void frame(int steps = 4) {
-    const Actions actions =
-        person.apply(gestures, {world, stage, width, height, false, 1.0 / 60.0, camera, world.input});
-    said = actions.said;
-    gestures.events.clear();
-    gestures.keys.clear();
-    for (int i = 0; i < steps; i++) step(world);
-  }
-  void choose(ToolKind kind, std::size_t variant = 0) { person.tool = {kind, variant}; }
-  void drag(Projected from, Projected to, PointerId id = 0) {
-    press(from, id);
-    move({0.5 * (from.x + to.x), 0.5 * (from.y + to.y)}, id);
-    move(to, id);
-    release(to, id);
-    frame(1);
-  }
-  void click(Projected at) {
-    press(at);
-    release(at);
-    frame(1);
-  }
-  std::string last_log() const { return world.log.empty() ? "" : world.log.back().text; }
-};
-
-}  // namespace
 
 TEST_CASE("a tool that is chosen again takes its next variant, and tools go round", "[view]") {
   for (const Tool& tool : tools()) CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
@@ -94,7 +25,7 @@ TEST_CASE("a tool that is chosen again takes its next variant, and tools go roun
 }
 
 TEST_CASE("a stroke cuts the hinges, nails, rods and connections that it crosses, and tells how many", "[view]") {
-  Bench bench(6);
+  Workbench bench(6);
   bench.choose(ToolKind::cut);
   const Projected a = bench.seen(bench.tail(1)), b = bench.seen(bench.tail(3));
   bench.drag({a.x - 8, a.y}, {b.x + 8, b.y});
@@ -114,7 +45,7 @@ TEST_CASE("a stroke cuts the hinges, nails, rods and connections that it crosses
 }
 
 TEST_CASE("join draws the point of the press to that of the release", "[view]") {
-  Bench bench(8);
+  Workbench bench(8);
   bench.choose(ToolKind::join);
   bench.drag(bench.seen(bench.tail(7)), bench.seen(bench.tail(2)));
   const std::size_t before = hinges(bench.world).size();
@@ -124,7 +55,7 @@ TEST_CASE("join draws the point of the press to that of the release", "[view]") 
   CHECK(bench.world.points[bench.tail(7)].particle == bench.world.points[bench.tail(2)].particle);
   CHECK(hinges(bench.world).size() == before);
 
-  Bench two(1);
+  Workbench two(1);
   two.choose(ToolKind::join);
   two.drag(two.seen(two.head(0)), two.seen(two.tail(0)));
   CHECK_THAT(two.last_log(), Contains("join by hand 1") && Contains("both points belong to"));
@@ -135,7 +66,7 @@ TEST_CASE("join draws the point of the press to that of the release", "[view]") 
 }
 
 TEST_CASE("nail holds a point, and pulls a nail out", "[view]") {
-  Bench bench;
+  Workbench bench;
   bench.choose(ToolKind::nail);
   bench.click(bench.seen(bench.tail(3)));
   const Vec3 there = position(bench.world, bench.tail(3));
@@ -149,7 +80,7 @@ TEST_CASE("nail holds a point, and pulls a nail out", "[view]") {
 }
 
 TEST_CASE("a shape is held where it is seen, by a point that goes when it is let go", "[view]") {
-  Bench bench(1);
+  Workbench bench(1);
   BodyDef def;
   def.at = vec(0.5, 2.5, 0);
   def.shapes = {small_worlds::shape(BoxShape{vec(0.5, 0.5, 0.5)})};
@@ -177,7 +108,7 @@ TEST_CASE("a shape is held where it is seen, by a point that goes when it is let
 }
 
 TEST_CASE("push, spin, nail and remove act on a shape where it is seen", "[view]") {
-  Bench bench(1);
+  Workbench bench(1);
   bench.world.settings.gravity = zero3();
   BodyDef def;
   def.at = vec(0.5, 2.5, 0);
@@ -202,7 +133,7 @@ TEST_CASE("push, spin, nail and remove act on a shape where it is seen", "[view]
 }
 
 TEST_CASE("push and spin act by the length of the drag", "[view]") {
-  Bench bench(1);
+  Workbench bench(1);
   remove(bench.world, bench.world.constraints.ids()[0]);
   bench.world.settings.gravity = zero3();
   const auto momentum_of = [&] { return momentum(bench.world, everything(bench.world)); };
@@ -225,7 +156,7 @@ TEST_CASE("push and spin act by the length of the drag", "[view]") {
 }
 
 TEST_CASE("tools keep to the plane of a world that has one", "[view]") {
-  Bench bench(2);
+  Workbench bench(2);
   set_plane(bench.world, Plane{2});
   bench.world.settings.gravity = zero3();
   const auto in_plane = [&] {
@@ -264,7 +195,7 @@ TEST_CASE("numbers are shown short", "[view]") {
 }
 
 TEST_CASE("remove takes the thing under the cursor, and wipes over more", "[view]") {
-  Bench bench;
+  Workbench bench;
   bench.choose(ToolKind::remove);
   const auto middle = [&](std::size_t rod) { return bench.seen(bench.world.motion_of(bench.rods[rod]).x); };
   bench.click(middle(2));
@@ -279,200 +210,8 @@ TEST_CASE("remove takes the thing under the cursor, and wipes over more", "[view
   CHECK_THAT(bench.said.back(), Contains("nothing under the cursor"));
 }
 
-TEST_CASE("make makes rods that are hinged to what is under their ends, balls and polyhedra", "[view]") {
-  Bench bench;
-  const Projected end = bench.seen(bench.tail(3));
-  bench.choose(ToolKind::make);
-  bench.drag(end, {end.x, end.y + 120});
-  CHECK(hinges(bench.world).size() == 4);
-  CHECK(bench.world.bodies.ids().size() == 5);
-  bench.choose(ToolKind::make, 1);
-  bench.drag({100, 600}, {130, 600});
-  CHECK(bench.world.particles[particles(bench.world).back()].points.size() == 1);
-  const std::size_t corners[] = {8, 13, 4, 6, 20, 12};
-  for (std::size_t i = 0; i < 6; i++) {
-    bench.choose(ToolKind::make, i + 2);
-    bench.drag({200, 200}, {230, 220});
-    const BodyId body = bench.world.bodies.ids().back();
-    CHECK(bench.world.bodies[body].points.size() == corners[i]);
-    CHECK_THAT(bench.said.back(), Contains(tools()[7].variants[i + 2]));
-    remove(bench.world, body);
-  }
-  bench.click({300, 200});
-  CHECK(bench.world.bodies.ids().size() == 6);
-  CHECK(bench.last_log() == "");
-}
-
-TEST_CASE("where something touches, what is made touches: it falls on the floor and rests there", "[view]") {
-  Bench bench(1);
-  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
-  const Projected corner = bench.seen(vec(-1, 1, 0)), other = bench.seen(vec(1, 2, 0));
-  for (std::size_t variant = 0; variant < 8; variant++) {
-    bench.choose(ToolKind::make, variant);
-    bench.drag(corner, other);
-    const BodyId body = bench.world.bodies.ids().back();
-    REQUIRE(bench.world.bodies[body].shapes.size() == 1);
-    for (int i = 0; i < 480; i++) step(bench.world);
-    const Vec3 x = bench.world.motion_of(body).x;
-    CHECK(x[1] > 0.0);
-    CHECK(x[1] < 2.5);
-    CHECK(norm(bench.world.motion_of(body).p) < 3.0 * bench.world.motion_of(body).mass);
-    remove(bench.world, body);
-  }
-  CHECK(bench.last_log().empty());
-}
-
-TEST_CASE("a box that is dragged from corner to corner has numbers that can be read", "[view]") {
-  Bench bench(1);
-  set_plane(bench.world, Plane{2});
-  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
-  bench.world.settings.gravity = zero3();
-  bench.choose(ToolKind::make, 2);
-  bench.drag(bench.seen(vec(-1.0023, 1.004, 0)), bench.seen(vec(1.0031, 1.999, 0)));
-  const BodyId body = bench.world.bodies.ids().back();
-  const auto half = std::get<BoxShape>(bench.world.shapes[bench.world.bodies[body].shapes[0]].geometry).half;
-  CHECK(half[0] == Approx(1.0).margin(1e-12));
-  CHECK(half[1] == Approx(0.5).margin(1e-12));
-  CHECK(half[2] == half[1]);
-  CHECK(norm(origin(bench.world, body) - vec(0, 1.5, 0)) < 1e-12);
-}
-
-namespace {
-
-/// A bench in a plane, with something that touches, and without weight.
-struct FlatBench : Bench {
-  FlatBench() : Bench(1) {
-    set_plane(world, Plane{2});
-    world.settings.gravity = zero3();
-    add_shape(world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
-  }
-  std::size_t shapes_of_last() const { return world.bodies[world.bodies.ids().back()].shapes.size(); }
-};
-
-constexpr std::size_t polygon = 8, chain = 4, ball_hinge = 5;
-
-}  // namespace
-
-TEST_CASE("a polygon is made of corners that are clicked, the first again to close it; Esc forgets them", "[view]") {
-  FlatBench bench;
-  const std::size_t before = bench.world.bodies.size();
-  bench.choose(ToolKind::make, polygon);
-  const Vec3 letter[] = {vec(-1, 1, 0), vec(1, 1, 0), vec(1, 1.5, 0), vec(0, 1.5, 0), vec(0, 3, 0), vec(-1, 3, 0)};
-  for (const Vec3 corner : letter) bench.click(bench.seen(corner));
-  CHECK(bench.world.bodies.size() == before);
-  CHECK(bench.person.cancel(bench.world.input));
-  bench.frame(1);
-  for (const Vec3 corner : letter) bench.click(bench.seen(corner));
-  bench.click(bench.seen(letter[0]));
-  REQUIRE(bench.world.bodies.size() == before + 1);
-  CHECK(bench.shapes_of_last() == 2);
-  CHECK(bench.world.motion_of(bench.world.bodies.ids().back()).mass == Approx(1000.0 * 2.5 * 0.5).epsilon(0.02));
-  CHECK(bench.last_log().empty());
-}
-
-TEST_CASE("a polygon is made of a stroke about it, and one that crosses itself is refused with a word", "[view]") {
-  FlatBench bench;
-  bench.choose(ToolKind::make, polygon);
-  const auto stroke = [&](double height) {  // 1: a circle; less: an eight
-    const auto at = [&](double a) { return bench.seen(vec(std::cos(a), 2 + std::sin(height * a), 0)); };
-    bench.press(at(0));
-    for (double a = 0.1; a < 6.2; a += 0.1) bench.move(at(a));
-    bench.release(at(6.2));
-    bench.frame(1);
-  };
-  stroke(1.0);
-  CHECK(bench.said.back() == "made a polygon");
-  CHECK(bench.shapes_of_last() == 1);
-  CHECK(bench.world.motion_of(bench.world.bodies.ids().back()).mass == Approx(1571.0).epsilon(0.03));
-  const std::size_t made = bench.world.bodies.size();
-  stroke(2.0);
-  CHECK_THAT(bench.said.back(), Contains("crosses itself"));
-  CHECK(bench.world.bodies.size() == made);
-}
-
-TEST_CASE("a hinge that is made in space turns about the axis to the viewer, a ball hinge freely", "[view]") {
-  for (const std::size_t variant : {std::size_t{0}, ball_hinge}) {
-    Bench bench(1);
-    bench.world.settings.gravity = zero3();
-    add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
-    bench.choose(ToolKind::make, 2);
-    bench.drag(bench.seen(vec(-1, 2, 0)), bench.seen(vec(0, 3, 0)));
-    const BodyId a = bench.world.bodies.ids().back();
-    bench.drag(bench.seen(vec(1, 2, 0)), bench.seen(vec(2, 3, 0)));
-    bench.choose(ToolKind::join, variant);
-    bench.drag(bench.seen(vec(-0.1, 2.5, 0)), bench.seen(vec(1.1, 2.5, 0)));
-    for (int i = 0; i < 960 && hinges(bench.world).empty(); i++) bench.frame(1);
-    CHECK(bench.last_log() == "");
-    REQUIRE(hinges(bench.world).size() == 1);
-    const Particle& ring = bench.world.particles[hinges(bench.world)[0]];
-    REQUIRE(ring.axes.size() == (variant == 0 ? 1 : 0));
-    if (variant != 0) continue;
-    const Constraint& axis = bench.world.constraints[ring.axes[0]];
-    const Vec3 of_a = rotate(orientation(bench.world, a), axis.body_a == a ? axis.axis_a : axis.axis_b);
-    const double turned = norm(angular_velocity(bench.world.motion_of(a))) * bench.world.settings.step;  // in that step
-    CHECK(std::acos(std::fmin(1.0, std::fabs(of_a[2]))) <= turned + 1e-6);
-  }
-}
-
-TEST_CASE("a chain leads out of what it is tied to, holds its ends, and touches what lies under it", "[view]") {
-  FlatBench bench;
-  add_shape(bench.world, small_worlds::shape(BoxShape{vec(0.2, 0.2, 0.5)}, vec(0, 1.5, 0)));
-  bench.choose(ToolKind::make, 2);
-  bench.drag(bench.seen(vec(-2, 2, 0)), bench.seen(vec(-1, 3, 0)));
-  const BodyId box = bench.world.bodies.ids().back();
-  const std::size_t before = bench.world.bodies.size();
-  bench.choose(ToolKind::nail);
-  bench.click(bench.seen(vec(-1.5, 2.5, 0)));
-  bench.choose(ToolKind::join, chain);
-  bench.drag(bench.seen(vec(-1.5, 2.5, 0)), bench.seen(vec(2.5, 2.5, 0)));
-  const std::size_t links = bench.world.bodies.size() - before;
-  CHECK(links > 5);
-  CHECK(hinges(bench.world).size() == links);
-  bench.frame(2);
-  CHECK(norm(bench.world.motion_of(box).p) < 1e-3 * bench.world.motion_of(box).mass);  // nothing pushes it away
-  set_gravity(bench.world, vec(0, -9.81, 0));
-  double lowest = infinity;
-  for (int i = 0; i < 240; i++) {
-    step(bench.world);
-    for (const BodyId id : bench.world.bodies.ids())
-      if (id != box && std::fabs(bench.world.motion_of(id).x[0]) < 0.2)
-        lowest = std::fmin(lowest, bench.world.motion_of(id).x[1]);
-  }
-  CHECK(lowest > 1.69);  // the block's upper face
-  CHECK(bench.world.error.hinge_gap < 1e-6);
-  CHECK(bench.last_log().empty());
-}
-
-TEST_CASE("a wheel is hinged to the body it is made on, and a motor turns it until a click takes that away", "[view]") {
-  Bench bench(1);
-  set_plane(bench.world, Plane{2});
-  bench.world.settings.gravity = zero3();
-  add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -5, 0)));
-  bench.choose(ToolKind::make, 2);
-  bench.drag(bench.seen(vec(-1, 1, 0)), bench.seen(vec(1, 2, 0)));
-  const BodyId car = bench.world.bodies.ids().back();
-  bench.choose(ToolKind::make, 3);
-  bench.drag(bench.seen(vec(0.5, 1.2, 0)), bench.seen(vec(1, 1.2, 0)));
-  const BodyId wheel = bench.world.bodies.ids().back();
-  CHECK(hinges_of(bench.world, wheel).size() == 1);
-  CHECK(hinges_of(bench.world, car) == hinges_of(bench.world, wheel));
-  bench.choose(ToolKind::spin, 1);
-  const Projected rim = bench.seen(bench.world.motion_of(wheel).x + vec(0.3, 0.1, 0));
-  bench.drag(rim, {rim.x + 100, rim.y});
-  CHECK_THAT(bench.said.back(), Contains("a motor turns it by"));
-  CHECK(bench.world.constraints.size() == 2);
-  for (int i = 0; i < 30; i++) step(bench.world);
-  CHECK(angular_velocity(bench.world.motion_of(wheel))[2] < 0.0);
-  bench.click(bench.seen(bench.world.motion_of(wheel).x + vec(0.3, 0.1, 0)));
-  CHECK(bench.world.constraints.size() == 1);
-  bench.choose(ToolKind::spin, 1);
-  bench.world.log.clear();
-  bench.drag(bench.seen(bench.world.motion_of(car).x + vec(-0.8, 0.3, 0)), {400, 300});
-  CHECK(bench.world.constraints.size() == 2);
-}
-
 TEST_CASE("join ties by rods, ropes and springs, from a thing to a thing or to a place", "[view]") {
-  Bench bench(1);
+  Workbench bench(1);
   add_shape(bench.world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
   bench.world.settings.gravity = zero3();
   bench.choose(ToolKind::make, 2);
@@ -502,7 +241,7 @@ TEST_CASE("join ties by rods, ropes and springs, from a thing to a thing or to a
 }
 
 TEST_CASE("heat shakes what is under it and cool brings it to rest", "[view]") {
-  Bench bench;
+  Workbench bench;
   bench.world.settings.gravity = zero3();
   bench.choose(ToolKind::heat);
   const Projected at = bench.seen(bench.tail(3));
@@ -528,7 +267,7 @@ TEST_CASE("heat shakes what is under it and cool brings it to rest", "[view]") {
 
 TEST_CASE("two fingers pull at one chain, the same gestures give the same bits, and a lost finger lets go", "[view]") {
   const auto play = [](double other) {
-    Bench bench(8);
+    Workbench bench(8);
     const Projected a = bench.seen(bench.tail(7)), b = bench.seen(bench.tail(3));
     bench.press(a, 1);
     bench.press(b, 2);
@@ -554,7 +293,7 @@ TEST_CASE("two fingers pull at one chain, the same gestures give the same bits, 
 }
 
 TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
-  Bench bench;
+  Workbench bench;
   const std::uint64_t hash = state_hash(bench.world);
   const Viewport viewport{bench.world, bench.stage, bench.camera, width, height};
   for (const Tool& tool : tools()) {

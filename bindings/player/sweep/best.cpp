@@ -12,7 +12,6 @@ namespace pantin::player {
 namespace {
 
 constexpr std::uint64_t most_searched = 100'000, usual_for_each_range = 100;
-constexpr double near_end = 1e-3;          // of a range: what counts as its end
 constexpr std::uint64_t most_without = 8;  // cases that do not tell what is wanted, before any that does
 
 bool is_searched(const Axis& axis) { return axis.values.empty() && !axis.of_seeds; }
@@ -174,10 +173,7 @@ std::string Best::told(const Rows& rows) const {
   for (const std::size_t axis : searched_) all += text(" --set ", settings[axis].first, "=", settings[axis].second);
   for (const std::size_t axis : searched_) {
     const Axis& range = cases_.axes()[axis];
-    const auto at = number_or_fraction(settings[axis].second);
-    if (at && std::fabs(*at - range.from) > near_end * std::fabs(range.to - range.from) &&
-        std::fabs(*at - range.to) > near_end * std::fabs(range.to - range.from))
-      continue;
+    if (!range.is_near_end(settings[axis].second)) continue;
     all += text("\n", range.name, " is at an end of its range, ", range.from, " to ", range.to,
                 ": there may be better beyond it");
   }

@@ -76,6 +76,13 @@ std::string Axis::value_at(double part) const {
   return number_text(std::min(largest, std::floor(least + part * (largest - least + 1.0))));
 }
 
+bool Axis::is_near_end(const std::string& value) const {
+  const double x = number_or_fraction(value).value_or(std::nan(""));
+  if (whole) return x == std::ceil(std::min(from, to)) || x == std::floor(std::max(from, to));
+  const double part = logarithmic ? std::log(x / from) / std::log(to / from) : (x - from) / (to - from);
+  return std::fmin(part, 1.0 - part) < 1e-3;
+}
+
 std::string Axis::value(std::uint64_t index) const {
   if (!values.empty()) return values[index];
   const double x = between(count < 2 ? 0.0 : static_cast<double>(index) / static_cast<double>(count - 1));

@@ -25,6 +25,8 @@ struct Axis {
   std::string value(std::uint64_t index) const;
   /// At a part in [0, 1] of the way, which a sample drew.
   std::string value_at(double part) const;
+  /// Whether a value of the range is its end to a thousandth of the way; of whole numbers, the first or the last.
+  bool is_near_end(const std::string& value) const;
 
  private:
   double between(double part) const;
