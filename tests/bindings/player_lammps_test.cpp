@@ -143,9 +143,9 @@ std::vector<std::string> scenes() {
 }
 
 /// [J] at the start; checks that LAMMPS has our energy and forces then.
-double total_energy(const std::string& source, const std::string& ranks) {
+double total_energy(const std::string& source, const std::string& ranks, const std::string& until = "0.1") {
   const Folder folder;
-  const Finished run = run_scene(folder, source, {"--until", "0.1", "--ranks", ranks});
+  const Finished run = run_scene(folder, source, {"--until", until, "--ranks", ranks});
   INFO(source << run.err);
   REQUIRE(run.code == 0);
   CHECK(number_after(run.out, "the energy agrees to ") <= 1e-6);
@@ -336,6 +336,17 @@ TEST_CASE("lammps: more processes than mpirun has place for, or no mpirun, is to
 TEST_CASE("lammps: melt, springs and bodies have our energy and forces") {
   if (!have_lammps()) return;
   for (const char* source : {melt, springs, bodies}) total_energy(source, "1");
+}
+
+TEST_CASE("lammps: the energy at the end is that of the laws, however much that of gravity has changed") {
+  if (!have_lammps()) return;
+  total_energy(R"(
+    scene.step, scene.gravity, scene.box = 0.002, vec(0, -9.81, 0), vec(8, 8, 8)
+    local heavy = scene:family("heavy", { mass = 1e6 })
+    for i = 0, 26 do scene:particle { family = heavy, at = vec(1 + 2 * (i % 3), 1 + 2 * (i // 3 % 3), 1 + 2 * (i // 9)) } end
+    scene:interact(heavy, heavy, force.pair { cutoff = 2.5, potential = function(r) return 1e-6 * (2.5 - r) ^ 3 end })
+  )",
+               "1", "5");
 }
 
 TEST_CASE("lammps: so have a membrane and a mixture, and on 2 and 4 ranks all is as on 1", "[slow]") {

@@ -295,6 +295,14 @@ std::string fields_text(const LammpsSystem& system) {
   return out;
 }
 
+/// Of laws alone: beside what falls for long, theirs would be lost in the total.
+std::string law_energy(const LammpsSystem& system) {
+  std::string all = "epair+ebond";
+  for (std::size_t i = 0; i < system.fields.size(); i++)
+    if (!system.fields[i].energy.empty()) all += text("+f_field", i + 1);
+  return all;
+}
+
 std::string script_text(const World& world, const LammpsSystem& system, const LammpsTask& task, bool lepton) {
   double reach = 0.0;
   for (const LammpsTable& t : system.pair_tables) reach = std::max(reach, t.table.to());
@@ -320,8 +328,7 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
       "  \"print 'pantin: start.dump is there'\"\n\n";
   out += motion_text(world, system);
   out += "thermo ${every}\nrun ${steps}\n";
-  out += text("print \"pantin: energy at the end $(pe", norm(world.settings.gravity) > 0.0 ? " - f_gravity" : "",
-              ":%.17g)\"\n");
+  out += text("print \"pantin: energy at the end $(", law_energy(system), ":%.17g)\"\n");
   out +=
       "\n# Where all is at the end, not wrapped into the box.\n"
       "write_dump all custom end.dump id xu yu zu vx vy vz modify format float %.17g\n";
