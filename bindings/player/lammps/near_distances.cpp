@@ -5,6 +5,7 @@
 
 #include "base/bounds.hpp"
 #include "base/near_positions.hpp"
+#include "laws/run/sites.hpp"
 #include "measure/measure.hpp"
 #include "player/lammps/refused.hpp"
 
