@@ -245,8 +245,9 @@ struct Articulate : ArticulateState {
   std::shared_ptr<const Tree> as_tree;  // null where it is none, or it was not asked for
   bool tree_sought = false;
 
-  double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
-  double total_mass = 0.0;  // [kg]
+  double length = 0.0;          // [m] median arm: every length in a criterion is a multiple of it
+  bool without_length = false;  // nothing of it has a length: it is that of its motion, found in each step
+  double total_mass = 0.0;      // [kg]
   bool all_rigid = true;
   bool angular = false;          // has angular rows
   bool loop_free = false;        // its rows make no loop: all are independent

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "articulates/build/build.hpp"
 #include "articulates/build/tied_things.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/state.hpp"
@@ -106,6 +107,9 @@ void find_articulates(World& world) {
   begin_stage(world, 0);
   wake_stirred(world);
   find_changed(world);
+  for (const auto& a : world.articulates)
+    if (a->without_length && !a->rest.asleep)
+      find_length_of_motion(*a, world, world.settings.gravity, world.settings.step);
   make_edited_consistent(world);
 }
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "base/check.hpp"
 #include "bindings/program_support.hpp"
 
 using namespace pantin;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "choreography/commands.hpp"
+#include "edit/edit.hpp"
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"

@@ -5,6 +5,7 @@
 #include <deque>
 #include <set>
 
+#include "base/lanes.hpp"
 #include "support/search_cases.hpp"
 
 using namespace pantin;

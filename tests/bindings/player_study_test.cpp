@@ -7,6 +7,7 @@
 
 #include "bindings/study_support.hpp"
 #include "player/report.hpp"
+#include "scene/errors.hpp"
 
 using namespace pantin;
 using namespace pantin::player;

@@ -1,5 +1,6 @@
 // The length of an articulate, of which all its tolerances are multiples.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <memory>
 
 #include "edit/constrain.hpp"
@@ -40,4 +41,40 @@ TEST_CASE("dimensions: particles within limits of their distance move alike at t
   const Vec3 at = orbit(length), usual = orbit(1.0);
   REQUIRE(norm(usual - vec(1, -1, 0)) > 0.1);
   CHECK(norm(at - usual) < 1e-7);
+}
+
+TEST_CASE("dimensions: a particle that a plane alone holds swings on a spring as the cosine at any scale") {
+  const double length = GENERATE(1e-12, 1e-9, 1.0, 1e6, 1e12);
+  const bool from_origin = GENERATE(true, false);
+  CAPTURE(length, from_origin);
+  World world;
+  world.settings.gravity = zero3();
+  world.settings.step = 1.0 / 960.0;
+  ParticleDef def;
+  def.at = from_origin ? zero3() : length * vec(1, 1, 1);
+  if (from_origin) def.velocity = 10.0 * length * vec(1, 0, -1);
+  const ParticleId particle = add_particle(world, def);
+  cases::add_on_plane(world, cases::point_of(world, particle), vec(1, 1, 1));
+  ConnectionDef spring;
+  spring.ends = {{particle}, {{}, from_origin ? zero3() : def.at + length * vec(-1, 0, 1)}};
+  LawArguments arguments;
+  arguments.numbers = {{"stiffness", 100.0}, {"length", 0.0}};
+  add_connection(world, std::make_shared<const Law>(make_library_law("spring", arguments)[0]), spring);
+  advance(world, 1.0);
+  const Vec3 swing = from_origin ? std::sin(10.0) * vec(1, 0, -1) : (1.0 - std::cos(10.0)) * vec(-1, 0, 1);
+  CHECK(norm(position(world, particle) - def.at - length * swing) < 1e-4 * length);
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE(
+    "dimensions: a particle on a plane that begins beside the origin by round-off moves as one that begins there") {
+  World world;
+  ParticleDef def;
+  def.at = 1e-13 * vec(1, -1, 0);
+  const ParticleId particle = add_particle(world, def);
+  cases::add_on_plane(world, cases::point_of(world, particle), vec(1, 1, 0));
+  advance(world, 1.0);
+  const double g = norm(world.settings.gravity);
+  CHECK(norm(position(world, particle) - 0.25 * g * vec(1, -1, 0)) < 1e-12);
+  CHECK(world.stats.fallback_steps == 0);
 }

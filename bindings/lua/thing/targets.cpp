@@ -2,6 +2,7 @@
 
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 
 namespace pantin::lua {

@@ -14,6 +14,7 @@
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
+#include "player/options.hpp"
 #include "player/output.hpp"
 #include "player/saved_state.hpp"
 #include "player/sweep/course.hpp"

@@ -49,4 +49,8 @@ void find_tiles(Articulate& articulate);
 /// nodes turn freely.
 void find_dimensions(Articulate& articulate, const Model& model);
 
+/// The length of what has none of its own (hinged points, or what planes alone hold): the largest distance of a node from the
+/// origin, or that it goes in a step [s]; 1 m for what rests there.
+void find_length_of_motion(Articulate& articulate, const Model& model, Vec3 gravity, double step);
+
 }  // namespace pantin

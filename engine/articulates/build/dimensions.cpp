@@ -2,6 +2,7 @@
 
 #include "articulates/build/build.hpp"
 #include "articulates/solve/momenta.hpp"
+#include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"
 #include "constraints/stiff.hpp"
 
@@ -75,18 +76,13 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   return lengths;
 }
 
-/// The median arm; of points without arms the size of their coordinates.
-double length_of(const Articulate& a, const Model& model) {
+/// The median arm; 0 where nothing has one.
+double median_length(const Articulate& a, const Model& model) {
   std::vector<double> lengths = lengths_of(a, model);
-  if (!lengths.empty()) {
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-  }
-  double length = 0.0;
-  for (const Row& row : a.rows)
-    if (row.member) length = std::max(length, norm(position(model, row.member)));
-  return length == 0.0 ? 1.0 : length;
+  if (lengths.empty()) return 0.0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 void find_reaches(Articulate& a) {
@@ -112,13 +108,27 @@ void find_dimensions(Articulate& a, const Model& model) {
   const auto draws = [](const Row& row) { return row.rule->at_distance; };
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
-  a.length = length_of(a, model);
+  a.length = median_length(a, model);
+  a.without_length = a.length == 0.0;
   for (const Node& node : a.nodes) a.total_mass += node.mass;
-  find_reaches(a);
+  if (a.without_length)
+    find_length_of_motion(a, model, zero3(), 0.0);
+  else
+    find_reaches(a);
   find_free_axes(a);
   a.loop_free = is_loop_free(a);
   if (a.loop_free) a.least_epsilon = a.most_epsilon = 1e-16;
   a.epsilon = std::min(a.epsilon, a.most_epsilon);
+}
+
+void find_length_of_motion(Articulate& a, const Model& model, Vec3 gravity, double step) {
+  double length = norm(gravity) * step * step;
+  for (Node n : a.nodes) {
+    load(n, model, gravity);
+    length = std::max({length, norm(n.x0), step * norm(n.p0) * n.inverse_mass});
+  }
+  a.length = length > 0.0 ? length : 1.0;
+  find_reaches(a);
 }
 
 }  // namespace pantin
