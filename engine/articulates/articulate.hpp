@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "articulates/factor.hpp"
@@ -245,9 +246,9 @@ struct Articulate : ArticulateState {
   std::shared_ptr<const Tree> as_tree;  // null where it is none, or it was not asked for
   bool tree_sought = false;
 
-  double length = 0.0;          // [m] median arm: every length in a criterion is a multiple of it
-  bool without_length = false;  // nothing of it has a length: it is that of its motion, found in each step
-  double total_mass = 0.0;      // [kg]
+  double length = 0.0;                     // [m] median arm: every length in a criterion is a multiple of it
+  std::optional<double> length_of_motion;  // [m] where nothing of it has a length: how far it went of late
+  double total_mass = 0.0;                 // [kg]
   bool all_rigid = true;
   bool angular = false;          // has angular rows
   bool loop_free = false;        // its rows make no loop: all are independent

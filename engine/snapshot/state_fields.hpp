@@ -117,7 +117,7 @@ inline auto own_fields(WorldData& w) {
 inline auto own_fields(Articulate& a) {
   return std::tie(a.plane, a.nodes, a.rows, a.batches, a.ends, a.at_ends, a.row_blocks, a.couplings, a.hubs, a.saved,
                   a.first_row_block, a.rows_on, a.tiles, a.factor, a.right_side, a.f_saved, a.predictor, a.as_tree,
-                  a.tree_sought, a.length, a.without_length, a.total_mass, a.all_rigid, a.angular, a.loop_free,
+                  a.tree_sought, a.length, a.length_of_motion, a.total_mass, a.all_rigid, a.angular, a.loop_free,
                   a.soft_constraint, a.breakable, a.nonconservative, a.attracts, a.forbids_nothing, a.pulled, a.serial);
 }
 inline auto own_fields(Connection& c) {

@@ -108,7 +108,7 @@ void find_articulates(World& world) {
   wake_stirred(world);
   find_changed(world);
   for (const auto& a : world.articulates)
-    if (a->without_length && !a->rest.asleep)
+    if (a->length_of_motion && !a->rest.asleep)
       find_length_of_motion(*a, world, world.settings.gravity, world.settings.step);
   make_edited_consistent(world);
 }

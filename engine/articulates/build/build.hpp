@@ -49,8 +49,9 @@ void find_tiles(Articulate& articulate);
 /// nodes turn freely.
 void find_dimensions(Articulate& articulate, const Model& model);
 
-/// The length of what has none of its own (hinged points, or what planes alone hold): the largest distance of a node from the
-/// origin, or that it goes in a step [s]; 1 m for what rests there.
+/// The length of what has none of its own (free particles that meet, or that planes alone hold), at the start of each step [s]: how far a
+/// node goes in 256 steps, remembered as long; at least what gravity moves in one, and 1e-6 of its distance from the origin,
+/// which is round-off. 1 m for what rests there.
 void find_length_of_motion(Articulate& articulate, const Model& model, Vec3 gravity, double step);
 
 }  // namespace pantin

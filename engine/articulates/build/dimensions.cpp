@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "articulates/build/build.hpp"
 #include "articulates/solve/momenta.hpp"
@@ -76,10 +77,18 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   return lengths;
 }
 
-/// The median arm; 0 where nothing has one.
+/// Of what turns about its centre alone: the largest radius of gyration; 0 where nothing turns.
+double largest_gyration(const Articulate& a) {
+  double size = 0.0;
+  for (const Node& n : a.nodes)
+    if (n.turns) size = std::max(size, std::sqrt(largest(n.inertia) * n.inverse_mass));
+  return size;
+}
+
+/// The median arm.
 double median_length(const Articulate& a, const Model& model) {
   std::vector<double> lengths = lengths_of(a, model);
-  if (lengths.empty()) return 0.0;
+  if (lengths.empty()) return largest_gyration(a);
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
@@ -109,12 +118,9 @@ void find_dimensions(Articulate& a, const Model& model) {
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = median_length(a, model);
-  a.without_length = a.length == 0.0;
+  if (a.length == 0.0) a.length_of_motion = 0.0;
   for (const Node& node : a.nodes) a.total_mass += node.mass;
-  if (a.without_length)
-    find_length_of_motion(a, model, zero3(), 0.0);
-  else
-    find_reaches(a);
+  find_reaches(a);
   find_free_axes(a);
   a.loop_free = is_loop_free(a);
   if (a.loop_free) a.least_epsilon = a.most_epsilon = 1e-16;
@@ -122,11 +128,13 @@ void find_dimensions(Articulate& a, const Model& model) {
 }
 
 void find_length_of_motion(Articulate& a, const Model& model, Vec3 gravity, double step) {
-  double length = norm(gravity) * step * step;
+  constexpr double steps = 256.0, round_off = 1e-6;
+  double length = std::max((1.0 - 1.0 / steps) * *a.length_of_motion, norm(gravity) * step * step);
   for (Node n : a.nodes) {
     load(n, model, gravity);
-    length = std::max({length, norm(n.x0), step * norm(n.p0) * n.inverse_mass});
+    length = std::max({length, round_off * norm(n.x0), steps * step * norm(n.p0) * n.inverse_mass});
   }
+  a.length_of_motion = length;
   a.length = length > 0.0 ? length : 1.0;
   find_reaches(a);
 }
