@@ -14,15 +14,19 @@ namespace {
 using kicks::nearly;
 using kicks::none;
 
-constexpr int most_iterations = 40, restart = 3, trusted_iterations = 16;
+constexpr int most_iterations = 40;
 
-/// A law that Newton's iteration does not get on with is taken for a drag along its force, which gives that force at `u`; one
-/// that hardly takes anything stays as its `slope` has it.
-Mat3 chord(const Mat3& slope, Vec3 force, Vec3 u, double sign) {
+/// Newton's slope of a law that gives `force` at `u` where its line through the last velocity had `told` [N]. A force that
+/// saturates, as dry friction does, has no slope along u, and the iteration would throw a velocity from one side of rest to
+/// the other. So what of the force does not grow with u counts as a drag, as far as the two disagree: the duality of Chan,
+/// Golub and Mulet, SIAM J. Sci. Comput. 20, 1999, p. 1964, for any law.
+Mat3 steepened(const Mat3& slope, Vec3 force, Vec3 told, Vec3 u, double sign) {
   constexpr double hardly = 1e-6;
-  const double power = sign * dot(force, u);
-  if (std::fabs(power) <= hardly * norm(force) * norm(u)) return slope;
-  return power < 0.0 ? outer(force, force) * (sign / power) : zero33();
+  const Vec3 saturated = force - slope * u;
+  const double along = dot(saturated, u), size2 = norm2(saturated);
+  if (!(sign * along < 0.0) || size2 <= hardly * hardly * norm2(force)) return slope;
+  const double differs = std::clamp(dot(force - told, saturated), 0.0, 2.0 * std::fabs(dot(force, saturated)));
+  return slope + outer(saturated, saturated) * (differs / (size2 * along));
 }
 
 }  // namespace
@@ -41,34 +45,24 @@ void VelocityKick::tell_forces() {
 }
 
 /// Asks the laws at the velocities found, and returns whether they give what was expected of them.
-bool VelocityKick::ask_again(int iteration) {
+bool VelocityKick::ask_again() {
   const std::size_t n = f_.sites.n;
   tell_forces();
-  from_rest_.resize(n, 0);
-  for (std::size_t i = 0; i < n; i++) f_.sites.v[i] = from_rest_[i] ? zero3() : velocity_of(i);
+  for (std::size_t i = 0; i < n; i++) f_.sites.v[i] = velocity_of(i);
   ask_velocity_laws(world_, f_, instant_, thermal_, true);
-  k_.missed.resize(n + k_.pairs.size(), infinity);
   for (const auto& tied : k_.tied) tied->settled = true;
   double worst = 0.0;
   const auto unsettle = [&](std::size_t site, double missed) {
+    worst = std::max(worst, missed);
     const std::uint32_t m = missed > nearly * speed_ ? receiver_at(f_, site) : none;
     if (TiedKick* tied = m == none ? nullptr : tied_to(m)) tied->settled = false;
-  };
-  /// Whether the iteration has stopped getting nearer.
-  const auto is_stuck = [&](std::size_t at, double missed) {
-    const double last = std::exchange(k_.missed[at], missed);
-    worst = std::max(worst, missed);
-    return iteration >= trusted_iterations && missed > 0.25 * last && missed > nearly * speed_;
   };
   for (std::size_t i = 0; i < n; i++) {
     if (!moves(i)) continue;
     const Vec3 force = k_.fields.force[i];
     const double mobility = mobility_of(i);
-    const double missed = from_rest_[i] ? infinity : std::fabs(dt_) * mobility * norm(force - k_.told[i]);
-    // Dry friction stops what slides: its slope there does not tell, that of rest leads to the solution from below.
-    from_rest_[i] = iteration == restart && missed > nearly * speed_;
-    unsettle(i, missed);
-    if (is_stuck(i, missed)) k_.fields.slope[i] = chord(k_.fields.slope[i], force, f_.sites.v[i], 1.0);
+    unsettle(i, std::fabs(dt_) * mobility * norm(force - k_.told[i]));
+    k_.fields.slope[i] = steepened(k_.fields.slope[i], force, k_.told[i], f_.sites.v[i], 1.0);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
   for (const VelocityForces::Listed& law : k_.listed) {
@@ -78,7 +72,7 @@ bool VelocityKick::ask_again(int iteration) {
       const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
       unsettle(p.a, missed);
       unsettle(p.b, missed);
-      if (is_stuck(n + k, missed)) p.slope = chord(p.slope, p.force, p.at, -1.0);
+      p.slope = steepened(p.slope, p.force, k_.told_pairs[k], p.at, -1.0);
       leave_what_amplifies(p.slope, mobility, -1.0);
       find_pair_answer(k);
     }
@@ -103,11 +97,10 @@ void VelocityKick::solve() {
     k_.answers.resize(k_.pairs.size());
     for (std::size_t k = 0; k < k_.pairs.size(); k++) find_pair_answer(k);
     solve_linear();
-    k_.missed.clear();
-    for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {
-      const bool done = ask_again(iteration);
+    bool met = k_.linear;
+    for (int iteration = 0; !met && iteration < most_iterations; iteration++) {
+      met = ask_again();
       solve_linear();
-      if (done) break;
     }
     tell_forces();
     if (!finish_tied()) break;

@@ -69,7 +69,6 @@ struct VelocityForces {
   AlignedVector<Vec3> start, base, v;   // (sites) of free points, as of carriers
   std::vector<double> theta, strength;  // (sites) and then (receivers)
   AlignedVector<Vec3> told;             // (sites) [N] of laws of single particles in the solution
-  std::vector<double> missed;           // (sites, then pairs) of the iteration before
   std::vector<Vec3> told_pairs;         // (pairs) [N]
 };
 

@@ -77,7 +77,7 @@ class VelocityKick {
   void tell_amplifying();
   void tell_fast_turns();
   void tell_once(const std::string& what, const std::string& rest);
-  bool ask_again(int iteration);
+  bool ask_again();
 
   /// Of laws that do not depend on velocities [N].
   Vec3 other_force(std::size_t site) const {
@@ -119,9 +119,8 @@ class VelocityKick {
   std::vector<BodyLoad> pressing_;  // [N s], [N m s] by slots of bodies, then of points; empty: nothing presses
   std::vector<char> inner_;         // (pairs) whether both ends are solved together
   bool amplifies_ = false;
-  std::vector<char> from_rest_;  // (sites) whether their law is asked at rest next
-  bool thermal_;                 // of thermostats alone, in the middle of a drift
-  double dt_, speed_ = 0.0;      // [s], [m/s] fastest
+  bool thermal_;             // of thermostats alone, in the middle of a drift
+  double dt_, speed_ = 0.0;  // [s], [m/s] fastest
 };
 
 }  // namespace pantin
