@@ -81,7 +81,7 @@ end)
 
 test("brook: drops run over the bed and not through it, and the wheel turns with them", function()
   local brook = open("scenes/brook.lua", { flow = 100 })
-  brook:advance(8)
+  brook:advance(5)
   expect(brook:read "spin of the wheel"):above(0.2)
   expect(brook:read "drops"):above(300)
 end)

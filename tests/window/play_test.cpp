@@ -21,7 +21,7 @@ using namespace pantin::support;
 
 namespace {
 
-constexpr int width = 960, height = 540;
+constexpr int width = 720, height = 404;
 const std::string chain = sources::folder() + "/scripts/scenes/chain.lua";
 
 void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
