@@ -204,8 +204,6 @@ void TiedKick::choose_rule(double too_fast) {
 void TiedKick::find_known() {
   const std::size_t n = a_->batches.size();
   at_rest_ = false;
-  found_.clear();
-  tolerance_ = 0.0;
   if (ties_) begin_answers(*a_, epsilon_);
   Motions first(n), other(n);
   for (std::size_t b = 0; b < n; b++) {
@@ -249,48 +247,29 @@ void TiedKick::solve() {
   pantin::add(right, driven_, -1.0);
   pantin::add(right, others_, theta);
   pantin::add(right, allowed(known), theta);
-  find_mean_velocities(right);
-}
-
-/// Finds w - driven_ in a space that grows by what is left over: from `right`, or from the last solution.
-void TiedKick::find_mean_velocities(const Motions& right) {
-  const auto again = [&](const Motions& motions) { return allowed(motions); };
-  const double size = size_of(right), factor = dt_ * theta;
-  MotionSpace space;
-  std::vector<Motions> forces, sides;  // of the directions; sides: what each makes of the right side
-  std::vector<double> asked;
-  Eigen::VectorXd known, y;
-  Motions left = found_.empty() || !(size_of(found_) > 0.0) ? right : found_;
-  double left_of = size_of(left);  // of what it is the rest, with its round-off
-  while (space.directions.size() < most_directions) {
-    if (!(space.add_direction(left, left_of, again) > 0.0)) break;
-    const Motions& direction = space.directions.back();
-    forces.push_back(forces_of_laws_and_soft_rows(direction));
-    space.add_forces(forces);
-    const Motions answer = allowed(forces.back());
-    if (tolerance_ == 0.0) {
-      const double reach = std::fabs(factor) * size_of(answer);
-      tolerance_ = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
-    }
-    sides.push_back(direction);
-    pantin::add(sides.back(), answer, -factor);
-    const auto n = static_cast<Eigen::Index>(space.directions.size());
-    known.conservativeResize(n);
-    known(n - 1) = product(direction, right);
-    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.galerkin;
-    y = A.partialPivLu().solve(known);
-    left = right;
-    for (Eigen::Index k = 0; k < n; k++) pantin::add(left, sides[static_cast<std::size_t>(k)], -y(k));
-    asked.push_back(asked_);
-    left_of = size;
-    for (Eigen::Index k = 0; k < n; k++)
-      left_of = std::max(left_of, std::fabs(factor * y(k)) * asked[static_cast<std::size_t>(k)]);
-    if (!(size_of(left) > tolerance_ * size)) break;
-  }
-  found_.assign(right.size(), {});
-  for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(found_, space.directions[static_cast<std::size_t>(k)], y(k));
   w_ = driven_;
-  pantin::add(w_, found_, 1.0);
+  MotionSpace space;
+  const auto again = [&](const Motions& motions) { return allowed(motions); };
+  const double size = space.add_direction(right, size_of(right), again), factor = dt_ * theta;
+  double tolerance = 0.0;
+  std::vector<Motions> all;
+  Eigen::VectorXd y;
+  while (!space.directions.empty()) {
+    all.push_back(forces_of_laws_and_soft_rows(space.directions.back()));
+    space.add_forces(all);
+    const auto n = static_cast<Eigen::Index>(space.directions.size());
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.galerkin;
+    y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
+    if (space.directions.size() == most_directions) break;
+    Motions next = allowed(all.back());
+    const double more = space.add_direction(std::move(next), asked_, again);
+    if (n == 1) {
+      const double reach = std::fabs(factor) * std::sqrt(space.galerkin(0, 0) * space.galerkin(0, 0) + more * more);
+      tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
+    }
+    if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;
+  }
+  for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(w_, space.directions[static_cast<std::size_t>(k)], y(k));
 }
 
 Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {

@@ -5,10 +5,9 @@
 // P M⁻¹ what impulses make of velocities through all rows, and o the same of other forces, which the drift applies. So no
 // law of velocity moves what the rows would have to turn back, and its work is f·w dt: v × B keeps the energy, drag takes.
 //
-// With f = c + S w, (1 - dt θ P M⁻¹ S) w = v0 + θ (o + dt P M⁻¹ c) is solved by Galerkin's condition, in the scalar product of
-// the kinetic energy, on a space that grows by what is left over (from the right side alone it is the Krylov space; Saad,
-// Iterative Methods for Sparse Linear Systems, 2003, 6.4), and that begins with the last solution where there is one: w is in
-// that space, so that the balance of energy holds at any size of it.
+// With f = c + S w, (1 - dt θ P M⁻¹ S) w = v0 + θ (o + dt P M⁻¹ c) is solved by Galerkin's condition on the Krylov space of
+// the right side (full orthogonalisation, in the scalar product of the kinetic energy; Saad, Iterative Methods for Sparse
+// Linear Systems, 2003, 6.4): w is in that space, so that the balance of energy holds at any size of it.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -93,7 +92,6 @@ class TiedKick {
   /// Forces that velocities make: of the laws; and of them and soft rows.
   Motions forces_of_laws(const Motions& by) const;
   Motions forces_of_laws_and_soft_rows(const Motions& by) const;
-  void find_mean_velocities(const Motions& right);
   Motions told_impulses(const std::vector<Vec3>& told) const;
   double scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
@@ -121,8 +119,6 @@ class TiedKick {
   bool alone_ = false, at_rest_ = false;
   double epsilon_ = 0.0;                                // compliance of the rows that they need
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what is prescribed asks for
-  Motions found_;                                       // w - driven_ that was last found; none: none yet
-  double tolerance_ = 0.0;                              // of that, part of its size
   double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
   std::vector<Vec3> borne_;  // (rows) [N s]
 };
