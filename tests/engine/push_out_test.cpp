@@ -103,7 +103,8 @@ TEST_CASE("Heaps: bins of boxes come to rest at 60 Hz, and nothing throws about 
   heap.world.settings.step = 1.0 / 60.0;
   const double start = heap.less_push_out();
   double last = start, rises = 0.0;
-  while (heap.world.time < 10.0 && heap.world.contacts.sleepers.size() < heap.bodies.size()) {
+  // Of eight seeds all were at rest after 3 to 11 s: one box that stands late may fall late.
+  while (heap.world.time < 20.0 && heap.world.contacts.sleepers.size() < heap.bodies.size()) {
     heap.step();
     const double now = heap.less_push_out();
     rises += std::fmax(0.0, now - last);
