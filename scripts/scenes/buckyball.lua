@@ -11,7 +11,7 @@ local c60 = structure.molecule("c60.xyz", { scale = 0.2 }):rotate(quat(vec(1, 0.
 local lowest = 0
 for _, p in ipairs(c60.vertices) do lowest = math.min(lowest, p.y) end
 
-local floor = force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 250, damping = 0.4, friction = 0.3 }
+local floor = force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 250, damping = 0.4, friction = 0.3, slip = 0.01 }
 local springs = { edge = force.spring { stiffness = 400, damping = 0.1 }, angle = force.angle { stiffness = hold } }
 local balls = {}
 local function drop(form, x, color, laws)

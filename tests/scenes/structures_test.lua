@@ -8,7 +8,7 @@ test("buckyball: what is rigid keeps its shape, springs give and come back, rods
     scene:step()
     least = math.min(least, size "deformable")
   end
-  local ball = 2 * 0.2 * 3.552 -- m: the molecule's radius is 3.552 Å
+  local ball = 0.2 * 7.1242 -- m: no two atoms of the molecule are farther apart than 7.1242 Å
   for _, form in ipairs { "rigid", "panels" } do
     expect(size(form)):above(0.94 * ball)
     expect(size(form)):below(ball + 1e-6)
