@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/check.hpp"
 #include "forces/velocity_kick_parts.hpp"
