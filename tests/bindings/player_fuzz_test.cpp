@@ -13,9 +13,9 @@ using player::Find;
 
 namespace {
 
-std::vector<std::string> found_once() {
+std::vector<std::string> found_once(const std::string& folder) {
   std::vector<std::string> paths;
-  for (const auto& file : std::filesystem::directory_iterator(sources::folder() + "/tests/corpus"))
+  for (const auto& file : std::filesystem::directory_iterator(sources::folder() + "/tests/" + folder))
     if (file.path().extension() == ".lua") paths.push_back(file.path());
   std::ranges::sort(paths);
   return paths;
@@ -57,7 +57,11 @@ TEST_CASE("fuzz: random scenes of fixed seeds break no promise") { check_random_
 
 TEST_CASE("fuzz: more random scenes of fixed seeds break no promise", "[slow]") { check_random_scenes(13, 40); }
 
-TEST_CASE("fuzz: what was found once stays mended") { check_scenes({}, found_once()); }
+TEST_CASE("fuzz: what was found once stays mended") { check_scenes({}, found_once("corpus")); }
+
+TEST_CASE("fuzz: what was found once and takes its time stays mended", "[slow]") {
+  check_scenes({}, found_once("corpus/slow"));
+}
 
 TEST_CASE("fuzz: a seed has its scene, and no two have the same") {
   const auto scene = [](std::uint64_t seed) { return player::random_scene(seed, sources::folder()); };

@@ -135,11 +135,11 @@ test("what a blow crushes against a wall, and makes whirl, gains nothing", funct
   end
 end)
 
-test("a thousand boxes that 1000 t strike at 1000 m/s fly off, and it is told that not all of a step was looked ahead", function()
+test("700 boxes that 1000 t strike at 1000 m/s fly off, and it is told that not all of a step was looked ahead", function()
   local scene = open_text [[
     scene.step = 1 / 60
     scene:floor {}
-    for i = 0, 999 do
+    for i = 0, 699 do
       scene:box { size = 0.1, at = vec((i % 10) * 0.101, 0.05 + (i // 100) * 0.1001, (i // 10 % 10) * 0.101) }
     end
     scene:ball { name = "ball", radius = 0.3, mass = 1e6, at = vec(-8, 0.5, 0.5), velocity = vec(1000, 0, 0) }

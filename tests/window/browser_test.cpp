@@ -84,7 +84,7 @@ TEST_CASE("browser: a click opens a scene, Esc without one ends the program", "[
 }
 
 TEST_CASE("browser: pictures are made and kept", "[window]") {
-  Played played("scene.title = 'Mine' scene:particle { at = vec(0, 0, 0) }");
+  Played played("scene.title = 'Mine' scene:particle { at = vec(0, 0, 0) }", 5.0, {480, 320});
   pushed::tap(SDLK_n);
   played.frames(3);
   REQUIRE(played.player->browsing());

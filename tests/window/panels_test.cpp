@@ -158,7 +158,8 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
     scene.gravity = vec(0, 0, 0)
     scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
     scene:particle { at = vec(0, 0, 0), name = "bead" }
-    scene:on("key", function() scene:result("keys", 1) end))");
+    scene:on("key", function() scene:result("keys", 1) end))",
+                5.0, {960, 540});
   pushed::tap(SDLK_F8);
   played.frames(3);
   played.click(480, 270);
@@ -204,7 +205,7 @@ TEST_CASE("panels: all of them are drawn for a scene with probes and one with ev
 
 TEST_CASE("panels: Esc closes the menu, asks, and then leaves", "[window]") {
   Played played("scene:particle { at = vec(0, 0, 0) }");
-  played.click(930, 25);
+  played.click(610, 25);
   REQUIRE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
   pushed::tap(SDLK_ESCAPE);
   played.frames(2);

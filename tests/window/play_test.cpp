@@ -22,7 +22,7 @@ using namespace pantin::support;
 namespace {
 
 constexpr int width = 720, height = 404;
-const std::string chain = sources::folder() + "/scripts/scenes/chain.lua";
+const std::string chain = sources::folder() + "/scripts/scenes/chain.lua", links = "6";
 
 void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
@@ -59,11 +59,12 @@ class Play {
   Play(const Screen& screen, const Folder& folder, const std::string& until)
       : environment_({"DISPLAY=" + screen.display, "SDL_VIDEODRIVER", "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
                       "PANTIN_HOME=" + sources::folder()}),
-        process_({{sources::program(), "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--record",
-                   "play.rec", "--size", std::to_string(width) + "x" + std::to_string(height)},
-                  environment_,
-                  folder.path,
-                  -1}),
+        process_(
+            {{sources::program(), "play", "chain", "--set", "links=" + links, "--paused", "--until", until, "--out",
+              "tip.csv", "--record", "play.rec", "--size", std::to_string(width) + "x" + std::to_string(height)},
+             environment_,
+             folder.path,
+             -1}),
         record_(folder / "play.rec") {
     // It is called so once its scene is open; and a search fails while windows come and go.
     const std::vector<std::string> search = {"xdotool", "search", "--onlyvisible", "--name",
@@ -155,6 +156,7 @@ bool can_play() {
 std::unique_ptr<Scene> open_chain() {
   SceneOptions options;
   options.home = sources::folder();
+  options.set["links"] = links;
   return lua::open_scene(chain, options);
 }
 
@@ -175,9 +177,9 @@ TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
   std::unique_ptr<Scene> scene = open_chain();
   Vec3 tip = tip_place(scene->world());
   Projected start = pixel(*scene, tip);
-  Projected end = pixel(*scene, tip + vec(-4, 0, 0));
+  Projected end = pixel(*scene, tip + vec(-1, 0, 0));
 
-  Play play(screen, folder, "4");
+  Play play(screen, folder, "2.5");
   play.move(start.x, start.y);
   play.hand({"mousedown", "1"});
   pause(0.2);
@@ -190,16 +192,17 @@ TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
 
   // Left alone, the end falls by most of the chain's length; held, it stays where the pointer is.
   std::vector<Row> held = read_tip(folder);
-  REQUIRE(held.size() == 960);
-  CHECK(held.back().time == Approx(4.0));
+  REQUIRE(held.size() == 600);
+  CHECK(held.back().time == Approx(2.5));
   CHECK(held.back().height == Approx(tip[1]).margin(1.0));
   CHECK(lowest(held) > tip[1] - 2.0);
-  Finished alone = finish({{sources::program(), "run", "chain", "--until", "4", "--out", "tip.csv"},
-                           {"PANTIN_HOME=" + sources::folder()},
-                           folder.path,
-                           -1});
+  Finished alone =
+      finish({{sources::program(), "run", "chain", "--set", "links=" + links, "--until", "2.5", "--out", "tip.csv"},
+              {"PANTIN_HOME=" + sources::folder()},
+              folder.path,
+              -1});
   REQUIRE(alone.code == 0);
-  CHECK(lowest(read_tip(folder)) < tip[1] - 10.0);
+  CHECK(lowest(read_tip(folder)) < tip[1] - 5.0);
 }
 
 TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
@@ -213,14 +216,14 @@ TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
   Vec3 tip = tip_place(scene->world());
   double length = tip[0];
 
-  Play play(screen, folder, "3.5");
+  Play play(screen, folder, "2");
   play.move(middle.x, middle.y);
   pause(0.2);
   play.hand({"key", "x"});
   pause(0.2);
   play.hand({"key", "space"});
   play.end();
-  // Falling freely for 3.5 s, 60 m, the end is below all that a whole chain could reach.
+  // Falling freely for 2 s, 20 m, the end is below all that a whole chain could reach.
   CHECK(read_tip(folder).back().height < tip[1] - length - 5.0);
 }
 
@@ -233,7 +236,7 @@ TEST_CASE("window: the cutting tool strokes through the chain", "[window]") {
   Projected middle = pixel(*scene, position(scene->world(), joints[joints.size() / 2]));
   Vec3 tip = tip_place(scene->world());
 
-  Play play(screen, folder, "3.5");
+  Play play(screen, folder, "2");
   play.move(middle.x, middle.y + 60);  // keys go to the window under the pointer
   pause(0.2);
   play.hand({"key", "2"});
@@ -267,7 +270,7 @@ TEST_CASE("window: a button answers to a quick click", "[window]") {
   std::unique_ptr<Scene> scene = open_chain();
   Vec3 tip = tip_place(scene->world());
 
-  Play play(screen, folder, "3.5");
+  Play play(screen, folder, "2");
   play.move(50, 57);  // on "let go"
   pause(0.3);
   play.hand({"click", "1"});

@@ -22,7 +22,7 @@ struct Played {
   int saved = 0;
 
   /// The browser where the text is empty; it finds the text's scene in `folder`, and keeps its pictures there.
-  explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {960, 540})
+  explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {640, 360})
       : Played(source, options_of(script_limit, size)) {}
   /// What is recorded is in `folder`.
   Played(const std::string& source, player::RunOptions options) {

@@ -45,6 +45,7 @@ struct Workshop : Played {
   static std::string text() {
     return R"(
       scene.plane = "xy"
+      scene.step = 1 / 60
       scene.camera = { at = vec(0, 2, 10), look_at = vec(0, 2, 0) }
       scene:floor {}
       scene:probe("bodies", function() return #scene.bodies end)
@@ -139,10 +140,10 @@ TEST_CASE("window: what was built in pauses is played again to the bit, the last
   std::uint64_t hash = 0;
   Workshop shop("play.rec");
   shop.build_cart();
-  shop.steps(40);
+  shop.steps(10);
   shop.take(SDLK_8, 1);
   shop.drag_from(vec(-2, 3, 0), vec(-1.7, 3, 0));
-  shop.steps(260);
+  shop.steps(65);
   shop.take(SDLK_8, 2);
   shop.drag_from(vec(-2, 3, 0), vec(-1.5, 3.5, 0));
   hash = state_hash(shop.world());

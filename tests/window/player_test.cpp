@@ -116,9 +116,9 @@ TEST_CASE("Esc lets go of what is held, closes what was opened, and asks before 
     pushed::tap(SDLK_ESCAPE);
     return played.player->frame() && played.player->frame();
   };
-  pushed::move(480, 270);
+  pushed::move(320, 180);
   played.frames(2);
-  pushed::button(true, 480, 270);
+  pushed::button(true, 320, 180);
   played.frames(3);
   REQUIRE(played.world().hands.at(0).grab);
   pushed::tap(SDLK_F5);
