@@ -88,7 +88,8 @@ TEST_CASE("what fell out is brought back by a button, and that is undone", "[win
     local lost = scene:box { size = vec(1, 1, 1), mass = 1, at = vec(1, 0, 0) }
     scene:at(0.01, function() lost.position = vec(0, -1000, 0) end)
     scene:probe("height", function() return lost.position.y end)
-  )");
+  )",
+                5.0, {960, 540});
   const auto height = [&] { return played.world().motion_of(played.world().bodies.ids()[1]).x[1]; };
   for (int i = 0; i < 500 && height() > -1.0; i++) played.frames(1);
   REQUIRE(height() == Approx(-1000.0));
