@@ -23,6 +23,13 @@ double value_of(const Model& model, const CoupledValue& v) {
   return norm2(v.axis_b) > 0.0 ? dot(direction_of(model, v.body_b, v.axis_b), d) : norm(d);
 }
 
+/// Whether it cannot change: a distance in one body, since two were merged.
+bool is_fixed(const Model& model, const CoupledValue& v) {
+  if (!v.point_a || !v.point_b || v.body_b) return false;
+  const BodyId body = model.points[v.point_a].body;
+  return body && body == model.points[v.point_b].body;
+}
+
 /// How far it is turned now [rad], nearest to what was counted last: it may have turned while the coupling was off.
 double present_angle(const Model& model, const CoupledValue& v) {
   constexpr double turn = 6.283185307179586;
@@ -81,10 +88,11 @@ double coupling_gap(const Model& model, const Constraint& c) {
   return (has_range(c) ? std::fmax(0.0, over) : std::fabs(over)) / most;
 }
 
-std::vector<RowPlan> coupling_rows(const Model&, const Constraint& c) {
+std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& c) {
   std::vector<RowPlan> plans;
   for (std::uint32_t i = 0; i < c.coupled().size(); i++) {
     const CoupledValue& v = c.coupled()[i];
+    if (is_fixed(model, v)) continue;
     if (v.body_a) {
       plans.push_back({&coupled_row, true, {}, {}, v.body_a, v.body_b, v.axis_a, v.axis_b, i});
       continue;
@@ -117,6 +125,11 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.weight1 = (v.fixed + v.by_ratio * c.number.now) * unit;
   condition.whole_value0 = c.as<CouplingData>().total + c.attract.previous_excess;
   condition.whole_value1 = c.as<CouplingData>().total + c.attract.excess;
+  for (const CoupledValue& one : c.coupled())
+    if (is_fixed(model, one)) {
+      condition.whole_value0 -= (one.fixed + one.by_ratio * c.number.previous) * value_of(model, one);
+      condition.whole_value1 -= (one.fixed + one.by_ratio * c.number.now) * value_of(model, one);
+    }
   condition.value_rate = c.attract.excess_rate;
   condition.works_along_d = condition.ranged || condition.whole_value0 != condition.whole_value1;
   condition.bent = Bent::nothing;
@@ -134,20 +147,24 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.extent = std::fabs(v.angle) * row.lever;
 }
 
-bool tells_force(const Condition& condition, const Row& row, const Constraint& c) {
+bool tells_force(const Model& model, const Condition& condition, const Row& row, const Constraint& c) {
   if (c.coupled().empty()) return true;
-  return !condition.turns_axis && (condition.index == 0 || (row.lever == 0.0 && c.coupled()[0].body_a));
+  const CoupledValue& first = c.coupled()[0];
+  const bool has_none = first.body_a || is_fixed(model, first);
+  return !condition.turns_axis && (condition.index == 0 || (row.lever == 0.0 && has_none));
 }
 
-void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
+void store_coupling(const Condition& condition, const Row& row, const Model& model, Vec3 force, Constraint& c) {
   CoupledValue& v = c.as<CouplingData>().values[condition.index];
   if (v.body_a) v.angle = condition.angle1;
-  if (!tells_force(condition, row, c)) return;
+  if (!tells_force(model, condition, row, c)) return;
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     return;
   }
-  c.tension = std::fmax(0.0, -dot(force, direction(row.d0 + row.d1)));
+  const CoupledValue& first = c.coupled()[0];
+  const double of_first = first.body_a ? 1.0 : weight_of(c, first) / weight_of(c, v);
+  c.tension = std::fmax(0.0, -dot(force, direction(row.d0 + row.d1))) * of_first;
   c.force = force;
 }
 

@@ -41,10 +41,10 @@ constexpr ConstraintRule coupling_rule(KeptNumber keeps,
 
 /// Whether the force of a row is what its constraint tells: of a pulley that of the first side, of other couplings those of the
 /// first thing that turns and of what moves.
-bool tells_force(const Condition& condition, const Row& row, const Constraint& constraint);
+bool tells_force(const Model& model, const Condition& condition, const Row& row, const Constraint& constraint);
 
 // See constraints/load.hpp.
 void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);
-void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& constraint);
+void store_coupling(const Condition& condition, const Row& row, const Model& model, Vec3 force, Constraint& constraint);
 
 }  // namespace pantin

@@ -84,8 +84,8 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.damping = 2.0 * total_mass / c.time_constant;
 }
 
-void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
-  if (!c.coupled().empty()) return store_coupling(condition, row, force, c);
+void store(const Condition& condition, const Row& row, const Model& model, Vec3 force, Constraint& c) {
+  if (!c.coupled().empty()) return store_coupling(condition, row, model, force, c);
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     c.angle = condition.angle1;

@@ -69,7 +69,7 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     }
     const ConstraintId id = condition(a, row).constraint;
     const Constraint& c = world.constraints[id];
-    if (!tells_force(condition(a, row), row, c)) continue;
+    if (!tells_force(world, condition(a, row), row, c)) continue;
     if (c.ring()) {
       const double borne = world.particles[c.ring()].breaks_at.torque;
       note(found.hinges, {c.ring(), load, story(), since(borne)}, load > borne);

@@ -252,6 +252,25 @@ TEST_CASE("pulley: two masses on a tackle fall as their weights say, and the rop
   CHECK(std::fabs(world.constraints[rope].tension) <= 1e-9);
 }
 
+TEST_CASE("pulley: a side whose ends have become one body is as long as it was, and the other one hangs from it") {
+  World world;
+  const BodyId first = add_disc(world, vec(0, 3, 0), 1.0), second = add_disc(world, vec(1, 3, 0), 1.0);
+  add_nail(world, centre(world, first));
+  add_orient(world, first);
+  const PointId hanging = add_mass(world, vec(3, 3, 0), 2.0);
+  const bool fixed_first = GENERATE(true, false);
+  PulleyDef def;
+  def.ratio.value = 4.0;
+  const Passage over{centre(world, second), zero3()}, wheel{{}, vec(3, 5, 0)};
+  const ConstraintId rope = fixed_first ? add_pulley(world, centre(world, first), over, hanging, wheel, def)
+                                        : add_pulley(world, hanging, wheel, centre(world, first), over, def);
+  merge(world, first, second);
+  advance(world, 1.0);
+  CHECK(norm(world.motion_of(hanging).x - vec(3, 3, 0)) <= 1e-12);
+  CHECK(world.constraints[rope].tension == Approx(2.0 * 9.81 / (fixed_first ? 4.0 : 1.0)).epsilon(1e-9));
+  CHECK(world.stats.fallback_steps == 0);
+}
+
 TEST_CASE("screw: a nut that falls along its screw turns") {
   World world;
   const double moment = 0.3, lead = 0.5, per = 2.0 * pi / lead;

@@ -76,7 +76,7 @@ void store(const Articulate& a, Model& model) {
     const Vec3 f = exerted_force(a, k);
     if (row.condition >= 0) {
       if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
-      store(condition(a, row), row, f, model.constraints[condition(a, row).constraint]);
+      store(condition(a, row), row, model, f, model.constraints[condition(a, row).constraint]);
       continue;
     }
     model.points[row.member].row_force = f;
