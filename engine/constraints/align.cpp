@@ -10,20 +10,26 @@ namespace pantin {
 
 namespace {
 
+/// About which an axis turns away from another [unit]; of two along one line any.
+Vec3 across(Vec3 from, Vec3 to) {
+  constexpr double along = 1e-9;
+  const Vec3 normal = cross(from, to);
+  if (norm(normal) > along * norm(from) * norm(to)) return direction(normal);
+  return direction(cross(from, std::fabs(from[0]) < 0.7 * norm(from) ? vec(1, 0, 0) : vec(0, 1, 0)));
+}
+
 double row_angle(const Row& row) { return functions::atan2(norm(cross(row.rb1, row.ra1)), dot(row.rb1, row.ra1)); }
 
 double evaluate_align(Row& row, Condition& c, const RowContext& context) {
   const double value = row_angle(row) * row.lever - c.kept_value - c.accepted;
   return evaluate_function(
-      row, c,
-      {direction(cross(row.rb0 + row.rb1, row.ra0 + row.ra1)), direction(cross(row.rb1, row.ra1)), value, value},
-      context);
+      row, c, {across(row.rb0 + row.rb1, row.ra0 + row.ra1), across(row.rb1, row.ra1), value, value}, context);
 }
 
-void project_align(const Row& row, Condition& c, bool holds) { project_function(c, cross(row.rb1, row.ra1), holds); }
+void project_align(const Row& row, Condition& c, bool holds) { project_function(c, across(row.rb1, row.ra1), holds); }
 
 Vec3 align_gap(const Row& row, const Condition& c) {
-  return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.kept_value - c.accepted);
+  return across(row.rb1, row.ra1) * (row_angle(row) * row.lever - c.kept_value - c.accepted);
 }
 
 }  // namespace
@@ -58,9 +64,7 @@ void start_together(const Model& model, Constraint& c, double tolerance) {
   const Vec3 axis = rotate(conjugate(frame), direction_of(model, c.body_a, c.axis_a));
   const double angle = angle_between(c.axis_b, axis);
   if (angle <= tolerance) return;
-  const Vec3 across = cross(c.axis_b, axis);
-  const Vec3 any = cross(c.axis_b, std::fabs(c.axis_b[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0));
-  c.attract.away = direction(norm(across) > 1e-9 ? across : any) * angle;
+  c.attract.away = across(c.axis_b, axis) * angle;
   c.attract.away_rate =
       direction(c.attract.away) * dot(direction(c.attract.away), rotate(conjugate(frame), relative_spin(model, c)));
 }

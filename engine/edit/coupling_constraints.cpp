@@ -39,6 +39,7 @@ ConstraintId add_coupling(World& world, ConstraintKind kind, std::vector<Coupled
   if (!values[0].body_a) c.a = values[0].point_a;
   c.own = CouplingData{std::move(values)};
   c.as<CouplingData>().total = length.value_or(0.0);
+  c.as<CouplingData>().given = length.has_value();
   c.time_constant = time_constant;
   return add_constraint(world, std::move(c));
 }

@@ -105,6 +105,7 @@ struct JoinData {
 struct CouplingData {
   std::vector<CoupledValue> values;
   double total = 0.0;  ///< [rad] or [m] that they add up to
+  bool given = false;  ///< that was told, else it is what they added up to when it was made
 };
 
 struct Constraint {

@@ -54,6 +54,20 @@ void match_points(const Match& match, Counterparts& to) {
   }
 }
 
+bool differ(double a, double b) { return a != b; }
+bool differ(Vec3 a, Vec3 b) { return norm(a - b) > 0.0; }
+bool differ(const Quat& a, const Quat& b) { return a.w != b.w || a.x != b.x || a.y != b.y || a.z != b.z; }
+
+/// Whether something is to be elsewhere than before, by the script's word and at no time of its own.
+bool wants_other(const Constraint& before, const Constraint& now) {
+  const auto other = [](const auto& past, const auto& present) {
+    return !past.of_time && !present.of_time && differ(past.now, present.now);
+  };
+  const auto total = [](const Constraint& c) { return c.is<CouplingData>() ? c.as<CouplingData>().total : 0.0; };
+  return other(before.position, now.position) || other(before.number, now.number) || other(before.turn, now.turn) ||
+         before.low != now.low || before.high != now.high || total(before) != total(now);
+}
+
 /// What living things of a kind take over from living ones, as far as the new world's plane lets them.
 class Carrier {
  public:
@@ -108,6 +122,7 @@ class Carrier {
       change += weight_of(now, data.values[i]) * (past.values[i].angle - data.values[i].angle);
       data.values[i].angle = past.values[i].angle;
     }
+    if (data.given) return;
     data.total = now.number.now == before.number.now ? past.total : data.total + change;
   }
 
@@ -182,6 +197,17 @@ void carry_events(const Made& before, World& fresh, const Made& now) {
     const EventState state = *list[k]->state;
     const bool stays = event.kind == EventKind::when ? state != EventState::waiting : state == EventState::cancelled;
     if (stays) end_event(fresh, event.id, state);
+  }
+}
+
+/// Things attract each other to where the changed script wants them, from where they are.
+void start_changed(const World& old, World& fresh, const std::vector<Match>& list) {
+  for (const Match& match : list) {
+    const auto *before = std::get_if<ConstraintId>(&match.first->id),
+               *now = std::get_if<ConstraintId>(&match.second->id);
+    if (!before || !now || !old.constraints.alive(*before) || !fresh.constraints.alive(*now)) continue;
+    Constraint& c = fresh.constraints[*now];
+    if (wants_other(old.constraints[*before], c)) internal::start_constraint(fresh, c);
   }
 }
 
@@ -269,6 +295,7 @@ CarriedOver carry_over(const World& old, const Made& before, World& fresh, const
   begin_at(fresh, old.time, old.choreography.reached);
   carry_events(before, fresh, now);
   carry_things(old, fresh, list, to);
+  start_changed(old, fresh, list);
   carry_emitters(fresh);
   carry_touching(old, fresh, to);
   carry_hands(old, before, fresh, carried);

@@ -456,3 +456,33 @@ TEST_CASE(
   played.steps(240);
   CHECK(std::fabs(played.place("box")[1]) < 2.0);
 }
+
+TEST_CASE("reload: what the new file wants elsewhere is drawn there from where it is") {
+  const std::string head = R"(
+    local a = scene:box { size = 0.3, at = vec(0, 3, 0), name = "box", points = { top = vec(0, 0.15, 0) } }
+    local b = scene:box { size = 0.3, at = vec(2, 3, 0), points = { top = vec(0, 0.15, 0) } }
+    local peg = scene:particle { at = vec(0, 4.15, 0) }
+    scene:nail(peg)
+    )",
+                    pulley = "scene:pulley(a.top, vec(0, 5, 0), vec(2, 5, 0), b.top, { length = ";
+  struct Case {
+    std::string before, after;
+    double height;  // [m] that it comes to
+  };
+  for (const Case& c : {Case{"scene:nail(a.top)", "scene:nail(a.top, vec(0, 4, 0))", 3.85},
+                        Case{"scene:string({ a.top, peg })", "scene:string({ a.top, peg }, { length = 0.5 })", 3.5},
+                        Case{pulley + "3.7 })", pulley + "3 })", 3.35}, Case{pulley + "3.7 })", pulley + "4 })", 2.85},
+                        Case{"scene:nail(a.top) scene:align(a, vec(1, 0, 0), nil, vec(1, 0, 0), { angle = 0 })",
+                             "scene:nail(a.top) scene:align(a, vec(1, 0, 0), nil, vec(1, 0, 0), { angle = 1 })",
+                             3.15 - 0.15 * std::cos(1.0)}}) {
+    INFO(c.after);
+    Played played(head + c.before);
+    played.steps(60);
+    played.save_and_look(head + c.after);
+    played.steps(1);
+    CHECK(norm(played.place("box") - vec(0, 3, 0)) < 1e-3);
+    played.steps(480);
+    CHECK(played.place("box")[1] == Approx(c.height).margin(1e-3));
+    CHECK(played.scene->world().stats.fallback_steps == 0);
+  }
+}

@@ -327,6 +327,18 @@ TEST_CASE("what is far from its orientation, axis or angle approaches critically
   CHECK(world.worst.energy < 0.01);
 }
 
+TEST_CASE("an align draws axes apart that lie along one line") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId body = post(world, zero3());
+  set_own_inertia(world, body, diagonal(vec(1, 2, 2.5)));
+  const double along = GENERATE(1.0, -1.0);
+  const ConstraintId align = add_align(world, body, {}, {x_axis, x_axis * along, 1.0, 0.1});
+  run(world, 3.0);
+  CHECK(std::fabs(present_value(world, world.constraints[align]) - 1.0) < 1e-10);
+  CHECK(world.stats.fallback_steps == 0);
+}
+
 TEST_CASE("an align keeps the angle between two axes while all else turns") {
   World world;
   world.settings.gravity = zero3();
