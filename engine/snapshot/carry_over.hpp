@@ -46,7 +46,7 @@ struct CarriedOver {
 /// Makes a world that has not moved yet go on where an older one is. Things are matched by name, else by sort and order of
 /// making: they take over position, motion and age; what of them was removed or cut is removed or cut. Time goes on: events
 /// that are past count as fired, plays begin now. Hands that no script moves come along and hold what they held. All else,
-/// masses, shapes, laws, settings, is the new world's own.
+/// masses, shapes, laws, settings, is the new world's own; what constraints want elsewhere is drawn there in their time constants.
 CarriedOver carry_over(const World& old, const Made& before, World& fresh, const Made& now);
 
 }  // namespace pantin

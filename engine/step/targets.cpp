@@ -32,9 +32,10 @@ void approach(Violation& away, Violation& rate, double h, double tau, double lea
 /// What is left of a violation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
 double least_violation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
-  if (!c.progress()) return 1e-14 * std::max({size_of(world, c.a), largest(c.position.now), size_of(c)});
-  const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
-  return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
+  const double own = size_of(world, c.a);
+  const double size =
+      c.progress() ? std::fmax(own, size_of(world, c.b)) : std::max({own, largest(c.position.now), size_of(c)});
+  return (c.progress() ? 0.1 * world.settings.tolerance : 1e-14) * (size > 0.0 ? size : largest(position(world, c.a)));
 }
 
 void draw_in(const World& world, Constraint& c, double h) {

@@ -1,4 +1,4 @@
-// All kinds of constraints in one machine, thrown about.
+// Most kinds of constraints in one machine, thrown about.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -64,7 +64,7 @@ PointId add_everything(World& world, double ratio) {
 
 }  // namespace
 
-TEST_CASE("a machine of all kinds of constraints holds while a hand throws it about, at any step and mass") {
+TEST_CASE("a machine of many kinds of constraints holds while a hand throws it about, at any step and mass") {
   for (double ratio : {1.0, 1e3})
     for (double step_length : {1.0 / 60, 1.0 / 240}) {
       World world;

@@ -21,7 +21,7 @@ inline double symmetric_sign(const Articulate& a) { return a.sub_steps.count == 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);
 
-/// Makes momenta consistent (an inelastic impact), with the least compliance that gives a sane energy: anchors may be
+/// Makes momenta consistent (an inelastic impact), with the least compliance there is: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
 /// pull, beyond what it gave if it was struck in the last `struck_for` [s], a motor to exert more than it can in `time` [s].
 /// Arms at the nodes' ends; ends must equal starts. Returns the work of what is prescribed.
