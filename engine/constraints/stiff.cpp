@@ -118,13 +118,13 @@ void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
   }
   c = std::fmax(c, 0.0);
   k = std::fmax(k, 0.0);
-  const bool swallows = bond.solve == Solve::at_end;
-  if (!swallows && c == 0.0) return;
+  const bool at_end = bond.solve == Solve::at_end;
+  if (!at_end && c == 0.0) return;
   const double h = context.h, nu2 = h * h * k * context.mobility, zeta = h * c * context.mobility;
-  const double part = swallows ? 1.0 : nu2 * zeta / (nu2 * zeta + 4.0 * nu2 + 6.0 * zeta * zeta);
+  const double part = at_end ? 1.0 : nu2 * zeta / (nu2 * zeta + 4.0 * nu2 + 6.0 * zeta * zeta);
   bond.damping = 0.5 * h * k * part;
   const double fast = zeta * zeta + 0.25 * nu2;
-  bond.settling = swallows ? 0.5 * h * (c + bond.damping) : 0.5 * h * c * fast / (1.0 + fast);
+  bond.settling = at_end ? 0.5 * h * (c + bond.damping) : 0.5 * h * c * fast / (1.0 + fast);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 struct Moments {
   Mat3 inertia = zero33();             // [kg m²]
   Vec3 angular = zero3();              // [kg m²/s]
-  double kinetic = 0.0, unfelt = 0.0;  // [J] of all; of spin that nothing couples to
+  double kinetic = 0.0, uncoupled = 0.0;  // [J] of all; of spin that nothing couples to
 };
 
 Moments moments_about(const Articulate& a, Vec3 X) {
@@ -27,7 +27,7 @@ Moments moments_about(const Articulate& a, Vec3 X) {
     if (!n.turns) continue;
     const Vec3 P = n.P0 * n.felt_axes;
     m.angular += n.R0 * P;
-    m.unfelt += 0.5 * dot(n.P0 - P, n.spin0);
+    m.uncoupled += 0.5 * dot(n.P0 - P, n.spin0);
   }
   return m;
 }
@@ -93,7 +93,7 @@ struct RigidMotion {
 };
 
 RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), double mass = 0.0) {
-  return {X, V, w, m.kinetic, m.kinetic - m.unfelt - 0.5 * (mass * norm2(V) + dot(w, m.angular))};
+  return {X, V, w, m.kinetic, m.kinetic - m.uncoupled - 0.5 * (mass * norm2(V) + dot(w, m.angular))};
 }
 
 /// Anchors leave rigid motions free: none: all six; one position: the turn about it, of which gravity keeps only the part
