@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "base/check.hpp"
 #include "forces/velocity_kick_parts.hpp"
@@ -15,17 +17,44 @@ using kicks::none;
 
 constexpr int most_iterations = 40;
 
-/// Newton's slope of a law that gives `force` at `u` where its line through the last velocity had `told` [N]. A force that
-/// saturates, as dry friction does, has no slope along u, and the iteration would throw a velocity from one side of rest to
-/// the other. So what of the force does not grow with u counts as a drag, as far as the two disagree: the duality of Chan,
-/// Golub and Mulet, SIAM J. Sci. Comput. 20, 1999, p. 1964, for any law.
-Mat3 steepened(const Mat3& slope, Vec3 force, Vec3 told, Vec3 u, double sign) {
+/// What a law gives at `u` and at rest [N], [m/s], but for what does no work, where its line through the last velocity had
+/// `told`.
+struct Answer {
+  Vec3 force, at_rest, told, u;
+  Mat3 slope;
+};
+
+/// Newton's slope of a law that saturates, as dry friction does: it has none along u, and the iteration would throw a velocity
+/// from one side of rest to the other. So what of the force does not grow with u counts as a drag, as far as the two disagree:
+/// the duality of Chan, Golub and Mulet, SIAM J. Sci. Comput. 20, 1999, p. 1964, for any law. `sign` is -1 of pairs.
+Mat3 steepened(const Answer& a, double sign) {
   constexpr double hardly = 1e-6;
-  const Vec3 saturated = force - slope * u;
-  const double along = dot(saturated, u), size2 = norm2(saturated);
-  if (!(sign * along < 0.0) || size2 <= hardly * hardly * norm2(force)) return slope;
-  const double differs = std::clamp(dot(force - told, saturated), 0.0, 2.0 * std::fabs(dot(force, saturated)));
-  return slope + outer(saturated, saturated) * (differs / (size2 * along));
+  const Vec3 by_velocity = a.force - a.at_rest, saturated = by_velocity - a.slope * a.u;
+  const double along = dot(saturated, a.u), size2 = norm2(saturated);
+  if (!(sign * along < 0.0) || size2 <= hardly * hardly * norm2(by_velocity)) return a.slope;
+  const double most = 2.0 * std::fabs(dot(by_velocity, saturated));
+  const double differs = std::clamp(dot(a.force - a.told, saturated), 0.0, most);
+  return a.slope + outer(saturated, saturated) * (differs / (size2 * along));
+}
+
+/// The slope to go on with. Where the force leapt against a change of the velocity, and not about rest, as of what saturates
+/// about another velocity, it goes through where the force was opposite (the secant's condition).
+Mat3 followed(const Answer& a, VelocityForces::Asked& asked, double sign) {
+  constexpr double least_cosine = 0.1, much = 0.5;
+  const auto leap_from = [&](Vec3 at, Vec3 force) { return a.force - force - a.slope * (a.u - at); };
+  const auto leaps = [&](Vec3 at, Vec3 force) {
+    const Vec3 leap = leap_from(at, force), change = a.u - at;
+    return norm(leap) > much * norm(a.force) && sign * dot(leap, change) < -least_cosine * norm(leap) * norm(change);
+  };
+  if (leaps(asked.at, asked.force)) std::tie(asked.opposite_at, asked.opposite_force) = std::tie(asked.at, asked.force);
+  std::tie(asked.at, asked.force) = std::tie(a.u, a.force);
+  const Mat3 steep = steepened(a, sign);
+  if (norm2(asked.opposite_force) == 0.0 || !leaps(asked.opposite_at, asked.opposite_force)) return steep;
+  const Vec3 leap = leap_from(asked.opposite_at, asked.opposite_force);
+  const Mat3 through = a.slope + outer(leap, leap) * (1.0 / dot(leap, a.u - asked.opposite_at));
+  const bool about_rest = dot(leap, a.u) * dot(leap, asked.opposite_at) < 0.0;
+  const double enough = about_rest ? 0.1 : 1.0;
+  return sign * dot(leap, through * leap) * enough < sign * dot(leap, steep * leap) ? through : steep;
 }
 
 }  // namespace
@@ -61,7 +90,11 @@ bool VelocityKick::ask_again() {
     const Vec3 force = k_.fields.force[i];
     const double mobility = mobility_of(i);
     unsettle(i, std::fabs(dt_) * mobility * norm(force - k_.told[i]));
-    k_.fields.slope[i] = steepened(k_.fields.slope[i], force, k_.told[i], f_.sites.v[i], 1.0);
+    const Mat3 turning = f_.workless && !thermal_ ? k_.workless.slope[i] : zero33();
+    const Vec3 at_rest = thermal_ ? zero3() : k_.at_rest[i],
+               workless = thermal_ ? zero3() : spared_force(f_, k_, i, f_.sites.v[i]) - at_rest;
+    const Answer answer{force - workless, at_rest, k_.told[i] - workless, f_.sites.v[i], k_.fields.slope[i] - turning};
+    k_.fields.slope[i] = turning + followed(answer, k_.asked_sites[i], 1.0);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
   for (const VelocityForces::Listed& law : k_.listed) {
@@ -71,7 +104,8 @@ bool VelocityKick::ask_again() {
       const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
       unsettle(p.a, missed);
       unsettle(p.b, missed);
-      p.slope = steepened(p.slope, p.force, k_.told_pairs[k], p.at, -1.0);
+      if (!p.workless)
+        p.slope = followed({p.force, p.at_rest, k_.told_pairs[k], p.at, p.slope}, k_.asked_pairs[k], -1.0);
       leave_what_amplifies(p.slope, mobility, -1.0);
       find_pair_answer(k);
     }
@@ -90,6 +124,10 @@ void VelocityKick::solve() {
   choose_rules();
   k_.told.assign(f_.sites.n, zero3());
   start_tied();
+  if (!k_.linear) {
+    k_.asked_sites.assign(f_.sites.n, {});
+    k_.asked_pairs.assign(k_.pairs.size(), {});
+  }
   constexpr int most_turns = 4;  // of rows that let go
   for (int turn = 0; turn < most_turns; turn++) {
     for (const auto& tied : k_.tied) tied->settled = false;
@@ -102,6 +140,7 @@ void VelocityKick::solve() {
       solve_linear();
     }
     tell_forces();
+    if (!met) tell_missed();
     if (!finish_tied()) break;
   }
   if (amplifies_) tell_amplifying();
@@ -122,6 +161,23 @@ bool VelocityKick::finish_tied() {
 /// Tells, once, of laws that drive what they act on the more the faster it is.
 void VelocityKick::tell_amplifying() {
   tell_once("a force that grows with the velocity gives energy to what it acts on: ", "");
+}
+
+/// Tells, once, where velocities still changed in the last iteration, and so are not those that the laws make.
+void VelocityKick::tell_missed() {
+  constexpr double much = 1e-3;  // of the fastest, or of what the laws change in the kick
+  double change = 0.0, scale = speed_;
+  for (std::size_t i = 0; i < f_.sites.n; i++) {
+    if (!moves(i)) continue;
+    change = std::fmax(change, norm(velocity_of(i) - f_.sites.v[i]));
+    scale = std::fmax(scale, std::fabs(dt_) * mobility_of(i) * norm(k_.told[i]));
+  }
+  if (change <= much * scale) return;
+  tell_once(
+      "velocities and what a force makes of them do not agree in a step: ",
+      text(", by ", std::round(1e4 * change / scale) / 100.0,
+           " % of the fastest; dry friction does with a wider `slip`, other laws with a smoother slope, all with a "
+           "shorter scene.step"));
 }
 
 /// Tells, once, where a step is too long to follow what turns without losing speed.
@@ -197,8 +253,11 @@ double VelocityKick::apply() {
 
 std::string velocity_laws(const World& world, Forces& f) {
   std::string names;
+  std::set<std::string> known;
   each_element(f, [&](const ActingElement& a) {
-    if (a.law->velocity_dependent && !a.law->thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, a);
+    if (!a.law->velocity_dependent || a.law->thermal) return;
+    if (const std::string name = law_at_work(world, a); known.insert(name).second)
+      names += (names.empty() ? "" : " or ") + name;
   });
   return names;
 }

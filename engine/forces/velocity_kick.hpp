@@ -68,8 +68,14 @@ struct VelocityForces {
   std::vector<Carrier> carriers;        // (receivers)
   AlignedVector<Vec3> start, base, v;   // (sites) of free points, as of carriers
   std::vector<double> theta, strength;  // (sites) and then (receivers)
-  AlignedVector<Vec3> told;             // (sites) [N] of laws of single particles in the solution
-  std::vector<Vec3> told_pairs;         // (pairs) [N]
+  /// Where a law was asked last in the iteration, and where before that it gave an opposite force.
+  struct Asked {
+    Vec3 at = zero3(), force = zero3();                    // [m/s], [N]
+    Vec3 opposite_at = zero3(), opposite_force = zero3();  // 0: nowhere
+  };
+  std::vector<Asked> asked_sites, asked_pairs;  // (sites), (pairs)
+  AlignedVector<Vec3> told;                     // (sites) [N] of laws of single particles in the solution
+  std::vector<Vec3> told_pairs;                 // (pairs) [N]
 };
 
 /// Where a kick stands: whether the articulates have the state, and whether a drift with gravity follows it.

@@ -76,6 +76,7 @@ class VelocityKick {
   void tell_forces();
   void tell_amplifying();
   void tell_fast_turns();
+  void tell_missed();
   void tell_once(const std::string& what, const std::string& rest);
   bool ask_again();
 

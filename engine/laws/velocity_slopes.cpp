@@ -53,6 +53,22 @@ Sample sample(const Law& law, Random& random, double speed) {
   return s;
 }
 
+/// Whether some function of velocities may leap, which its derivative does not tell.
+bool may_leap(const Expressions& g) {
+  const auto by_velocity = [&](const auto& term) {
+    return g.depends_on(term.first, Role::approach) || g.depends_on(term.first, Role::relative_velocity) ||
+           g.depends_on(term.first, Role::velocity);
+  };
+  for (std::size_t i = 0; i < g.size(); i++) {
+    const Expressions::Node& node = g[static_cast<Expr>(i)];
+    const bool leaps = node.kind == Expressions::Kind::function &&
+                       (node.function == Function::select || node.function == Function::less ||
+                        node.function == Function::less_or_equal || node.function == Function::floor);
+    if (leaps && std::any_of(node.terms.begin(), node.terms.end(), by_velocity)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::shared_ptr<const Law> with_velocity_slopes(const Law& law) {
@@ -78,7 +94,7 @@ std::shared_ptr<const Law> with_velocity_slopes(const Law& law) {
 }
 
 bool is_linear_in_velocity(const Law& sloped) {
-  if (sloped.called) return false;
+  if (sloped.called || may_leap(sloped.graph)) return false;
   const std::size_t forces = sloped.kind == LawKind::central ? 1 : 3;
   const std::vector<Input> inputs = sloped.graph.inputs_of(std::span(sloped.force).subspan(forces));
   return std::none_of(inputs.begin(), inputs.end(), [](const Input& input) { return is_velocity(input.role); });

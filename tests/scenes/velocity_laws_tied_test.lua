@@ -200,6 +200,43 @@ test("a cage of rods that falls on a floor of dry friction rolls as it does in s
   expect(cage:read "height"):near(0.46497, 3e-4)
 end)
 
+test("friction of a belt takes things along at its velocity, on rods and alone", function()
+  for _, tied in ipairs { true, false } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local all, belt = {}, vec(1, 0, 0)
+      for i = 1, 6 do
+        all[i] = scene:particle { at = vec(i * 0.5, 0, 0.1 * (i %% 2)), mass = 1, velocity = vec(0, 0, 0.3 * i) }
+        if i > 1 and %s then scene:rod(all[i - 1], all[i]) end
+      end
+      scene:field(scene, force.point { force = function(p)
+        local slips = p.velocity - belt
+        return slips * (-3 / math.sqrt(slips:dot(slips) + 1e-12))
+      end })
+      scene:probe("fastest slip", function()
+        local most = 0
+        for _, p in ipairs(all) do most = math.max(most, (p.velocity - belt):length()) end
+        return most
+      end)
+    ]]):format(tied))
+    scene:advance(1.5)
+    expect(scene:read "fastest slip"):below(1e-9)
+    expect(#scene.log):equal(0)
+  end
+end)
+
+test("a force that leaps with the velocity is followed to where it leaps", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:particle { velocity = vec(0.01, 0, 0), name = "p" }
+    scene:field(scene, force.point { force = function(p)
+      if p.velocity.x > 0.005 then return vec(-10, 0, 0) else return vec(10, 0, 0) end
+    end })
+  ]]
+  scene:advance(0.1)
+  expect(scene:find("p").velocity.x):near(0.005, 1e-6)
+end)
+
 local function hung_chain(law)
   return open_text(([[
     scene.step = 1 / 3840
