@@ -13,8 +13,8 @@ namespace {
 
 /// Of the nodes' starts about a position; of spin that nothing couples to only the energy.
 struct Moments {
-  Mat3 inertia = zero33();             // [kg m²]
-  Vec3 angular = zero3();              // [kg m²/s]
+  Mat3 inertia = zero33();                // [kg m²]
+  Vec3 angular = zero3();                 // [kg m²/s]
   double kinetic = 0.0, uncoupled = 0.0;  // [J] of all; of spin that nothing couples to
 };
 
