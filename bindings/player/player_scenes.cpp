@@ -108,8 +108,9 @@ Camera Player::own_camera() const {
   return aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }
 
-/// Where something was done, that is an act, and undone.
+/// Where something was done, that is an act, and undone. What is paused stays so, but for a failure.
 void Player::restart() {
+  const bool stays_paused = paused_ && failure_.empty();
   try {
     std::shared_ptr<Scene> fresh = load(path_, scene_options_);
     if (acted_) {
@@ -118,7 +119,7 @@ void Player::restart() {
     }
     adopt(std::move(fresh));
     if (recorder_) recorder_->restarted();
-    paused_ = false;
+    paused_ = stays_paused;
   } catch (const std::exception& error) { fail(error.what()); }
 }
 
