@@ -29,6 +29,12 @@ bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 /// Whether the rows of an articulate say which velocities are allowed.
 bool forbids(const Articulate& a) { return !a.forbids_nothing && !a.fell_back && !a.torn && !is_open(a); }
 
+/// Whether rows do work on what they tie: they draw together what is apart, or drive it.
+bool draws(const Articulate& a) {
+  const auto moves = [](const Condition& c) { return c.value_rate != 0.0 || norm2(c.velocity) > 0.0; };
+  return a.attracts || std::any_of(a.conditions.begin(), a.conditions.end(), moves);
+}
+
 }  // namespace
 
 TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, double dt, SideOfDrift side)
@@ -382,7 +388,10 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
     (row(*a_, c).lever > 0.0 ? work.rows.angular_rows : work.rows.anchors) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
-  if (damps) work.damper = by_laws - work.rest;
+  if (damps)
+    work.damper = by_laws - work.rest;
+  else if (draws(own))
+    work.rows.anchors += by_laws - work.rest;
   if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
   for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
   for (std::size_t i = 0; i < own.nodes.size(); i++) {

@@ -65,7 +65,8 @@ bool wants_other(const Constraint& before, const Constraint& now) {
   };
   const auto total = [](const Constraint& c) { return c.is<CouplingData>() ? c.as<CouplingData>().total : 0.0; };
   return other(before.position, now.position) || other(before.number, now.number) || other(before.turn, now.turn) ||
-         before.low != now.low || before.high != now.high || total(before) != total(now);
+         before.low != now.low || before.high != now.high || total(before) != total(now) ||
+         differ(before.axis_a, now.axis_a) || differ(before.axis_b, now.axis_b);
 }
 
 /// What living things of a kind take over from living ones, as far as the new world's plane lets them.

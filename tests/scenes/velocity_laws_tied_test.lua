@@ -200,6 +200,19 @@ test("a cage of rods that falls on a floor of dry friction rolls as it does in s
   expect(cage:read "height"):near(0.46497, 3e-4)
 end)
 
+test("what laws that do no work by velocity, and rows that draw together, give is booked", function()
+  for _, tie in ipairs { "scene:join(rod.tail, ball)", "scene:string({ rod.tail, ball }, { length = 1 })" } do
+    local scene = open_text([[
+      local ball = scene:particle { at = vec(1, -1.5, -1.5), velocity = vec(2, 0, 1), mass = 0.6 }
+      local rod = scene:body { mass = 1, inertia = vec(0.01, 0.1, 0.1), at = vec(2, 0, 0), points = { tail = vec(0.5, 0, 0) } }
+      scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(0, 0, 3)) end })
+      scene:probe("closure", function() return scene.ledger.closure or 0 end)
+    ]] .. tie)
+    scene:advance(1)
+    expect(scene:read "closure"):below(1e-12)
+  end
+end)
+
 test("friction of a belt takes things along at its velocity, on rods and alone", function()
   for _, tied in ipairs { true, false } do
     local scene = open_text(([[
