@@ -257,9 +257,8 @@ struct Articulate : ArticulateState {
   bool nonconservative = false;  // has rows that take energy or give it
   bool attracts = false;         // is free, and rows draw points together over a gap
   bool forbids_nothing = false;  // has no row but soft ones, of laws too: its velocities are free
-  bool pulled =
-      false;  // explicit force elements act on it, and some in the scene do not go by velocity alone: no energy return
-  std::uint64_t serial = 0;  // smallest of its things
+  bool pulled = false;           // explicit force elements act on it, and one in the scene by more than velocity
+  std::uint64_t serial = 0;      // smallest of its things
 };
 
 inline Condition& condition(Articulate& a, const Row& row) {

@@ -486,3 +486,17 @@ TEST_CASE("reload: what the new file wants elsewhere is drawn there from where i
     CHECK(played.scene->world().stats.fallback_steps == 0);
   }
 }
+
+TEST_CASE("reload: a motor that is told its speed goes on at it") {
+  const std::string text = R"(
+    scene.gravity = vec(0, 0, 0)
+    local wheel = scene:cylinder { radius = 0.5, length = 0.1, axis = vec(0, 0, 1), name = "wheel", points = { hub = vec(0, 0, 0) } }
+    scene:nail(wheel.hub)
+    scene:align(wheel, vec(0, 0, 1), vec(0, 0, 1), { angle = 0 })
+    scene:motor(wheel, { axis = vec(0, 0, 1), speed = 3 }))";
+  Played played(text), other(text);
+  for (Played* one : {&played, &other}) one->steps(100);
+  played.save_and_look(text + " scene.title = 'new'");
+  for (Played* one : {&played, &other}) one->steps(100);
+  CHECK(state_hash(played.scene->world()) == state_hash(other.scene->world()));
+}
