@@ -44,7 +44,8 @@ Mat3 followed(const Answer& a, VelocityForces::Asked& asked, double sign) {
   const auto leap_from = [&](Vec3 at, Vec3 force) { return a.force - force - a.slope * (a.u - at); };
   const auto leaps = [&](Vec3 at, Vec3 force) {
     const Vec3 leap = leap_from(at, force), change = a.u - at;
-    return norm(leap) > much * norm(a.force) && sign * dot(leap, change) < -least_cosine * norm(leap) * norm(change);
+    return norm2(leap) > much * much * norm2(a.force) &&
+           sign * dot(leap, change) < -least_cosine * norm(leap) * norm(change);
   };
   if (leaps(asked.at, asked.force)) std::tie(asked.opposite_at, asked.opposite_force) = std::tie(asked.at, asked.force);
   std::tie(asked.at, asked.force) = std::tie(a.u, a.force);
@@ -72,6 +73,16 @@ void VelocityKick::tell_forces() {
   }
 }
 
+/// Where the law of a site gave another force than was told.
+void VelocityKick::follow(std::size_t i) {
+  const bool turns = f_.workless && !thermal_;
+  const Mat3 turning = turns ? k_.workless.slope[i] : zero33();
+  const Vec3 at_rest = thermal_ ? zero3() : k_.at_rest[i], v = f_.sites.v[i],
+             workless = turns ? spared_force(f_, k_, i, v) - at_rest : zero3();
+  const Answer answer{k_.fields.force[i] - workless, at_rest, k_.told[i] - workless, v, k_.fields.slope[i] - turning};
+  k_.fields.slope[i] = turning + followed(answer, k_.asked_sites[i], 1.0);
+}
+
 /// Asks the laws at the velocities found, and returns whether they give what was expected of them.
 bool VelocityKick::ask_again() {
   const std::size_t n = f_.sites.n;
@@ -89,12 +100,9 @@ bool VelocityKick::ask_again() {
     if (!moves(i)) continue;
     const Vec3 force = k_.fields.force[i];
     const double mobility = mobility_of(i);
-    unsettle(i, std::fabs(dt_) * mobility * norm(force - k_.told[i]));
-    const Mat3 turning = f_.workless && !thermal_ ? k_.workless.slope[i] : zero33();
-    const Vec3 at_rest = thermal_ ? zero3() : k_.at_rest[i],
-               workless = thermal_ ? zero3() : spared_force(f_, k_, i, f_.sites.v[i]) - at_rest;
-    const Answer answer{force - workless, at_rest, k_.told[i] - workless, f_.sites.v[i], k_.fields.slope[i] - turning};
-    k_.fields.slope[i] = turning + followed(answer, k_.asked_sites[i], 1.0);
+    const double missed = std::fabs(dt_) * mobility * norm(force - k_.told[i]);
+    unsettle(i, missed);
+    if (missed > nearly * speed_ || norm2(k_.asked_sites[i].opposite_force) > 0.0) follow(i);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
   for (const VelocityForces::Listed& law : k_.listed) {
@@ -104,7 +112,7 @@ bool VelocityKick::ask_again() {
       const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
       unsettle(p.a, missed);
       unsettle(p.b, missed);
-      if (!p.workless)
+      if (!p.workless && (missed > nearly * speed_ || norm2(k_.asked_pairs[k].opposite_force) > 0.0))
         p.slope = followed({p.force, p.at_rest, k_.told_pairs[k], p.at, p.slope}, k_.asked_pairs[k], -1.0);
       leave_what_amplifies(p.slope, mobility, -1.0);
       find_pair_answer(k);

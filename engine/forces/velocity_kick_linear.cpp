@@ -139,10 +139,11 @@ void VelocityKick::start() {
 
 /// A law that drives what it should damp faster than the step can follow acts as it is at the start.
 void VelocityKick::leave_what_amplifies(Mat3& slope, double mobility, double sign) {
-  const bool amplifies = sign * trace(slope) > 0.0;
+  if (!finite(slope)) slope = zero33();
+  if (!(sign * trace(slope) > 0.0)) return;
   const double size = std::fabs(dt_) * mobility * working_part(slope);
-  amplifies_ = amplifies_ || (amplifies && size > 1e-9);
-  if (!finite(slope) || (amplifies && size > kicks::too_fast)) slope = zero33();
+  amplifies_ = amplifies_ || size > 1e-9;
+  if (size > kicks::too_fast) slope = zero33();
 }
 
 void VelocityKick::choose_rules() {

@@ -66,6 +66,7 @@ class VelocityKick {
   void start_tied();
   void solve_tied(bool all);
   bool finish_tied();
+  void follow(std::size_t site);
   void leave_what_amplifies(Mat3& slope, double mobility, double sign);
   void sum_up_carriers();
   double pass_points();

@@ -6,6 +6,11 @@
 
 namespace pantin {
 
+std::pmr::memory_resource& kept_memory() {
+  static std::pmr::synchronized_pool_resource pool;
+  return pool;
+}
+
 double product(const Motions& a, const Motions& b) {
   Lanes all = lanes(0.0);
   for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);

@@ -2,6 +2,7 @@
 // Motions of all nodes of an articulate as vectors, with the scalar product of the kinetic energy.
 #include <Eigen/Core>
 #include <functional>
+#include <memory_resource>
 #include <vector>
 
 #include "base/vectors4.hpp"
@@ -13,7 +14,19 @@ struct BatchMotion {
   Vec3x4 v = zero3x4(), w = zero3x4();  ///< [m/s], [rad/s]
   Vec3x4 p = zero3x4(), L = zero3x4();  ///< [kg m/s], [kg m²/s]
 };
-using Motions = std::vector<BatchMotion>;
+/// A kick makes and drops many vectors of one size: their memory is kept, for whoever asks next.
+std::pmr::memory_resource& kept_memory();
+template <class T>
+struct Kept {
+  using value_type = T;
+  Kept() = default;
+  template <class U>
+  Kept(const Kept<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(kept_memory().allocate(n * sizeof(T), alignof(T))); }
+  void deallocate(T* memory, std::size_t n) noexcept { kept_memory().deallocate(memory, n * sizeof(T), alignof(T)); }
+  bool operator==(const Kept&) const = default;
+};
+using Motions = std::vector<BatchMotion, Kept<BatchMotion>>;
 
 /// v_a · p_b + w_a · L_b over all nodes [J].
 double product(const Motions& a, const Motions& b);
