@@ -130,7 +130,6 @@ struct NodeTotals {
   double kinetic = 0.0;          ///< [J]
   Vec3 mass_position = zero3();  ///< [kg m] sum of mass times position
   bool finite = true;            ///< these sums and all orientations are; then all states are
-  bool known = false;            ///< they were found before the step ends
 };
 
 /// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the
@@ -221,6 +220,7 @@ struct ArticulateState {
   DriftReport report;             // of the last drift
   DriftReport projection_report;  // of the last projection, or of what settles after it
   NodeTotals totals;              // at the end of the last step
+  bool stored = false;            // the model has its state before the step ends, and `totals` are known
   Rest rest;
 };
 

@@ -148,6 +148,7 @@ void warn_once(World& world, const std::string& what, const std::string& rest) {
 
 /// Names, once, a motor of unlimited torque that stands against a limit.
 void tell_stalled(World& world, const Articulate& a) {
+  if (a.all_rigid) return;
   const Row* limit = nullptr;
   for (const Condition& c : a.conditions)
     if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
@@ -312,8 +313,9 @@ void drift_by_midpoint(World& world) {
     drift_one(articulate, static_cast<std::size_t>(worker));
     if (!ends) return;
     project(articulate, settings);
+    if (!articulate.all_rigid || articulate.breakable) return;  // edits may follow
     articulate.totals = totals_of(articulate);
-    articulate.totals.known = true;
+    store_early(articulate, world);
   });
 }
 

@@ -75,6 +75,8 @@ std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double
   const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
   if (thing.empty() && !energy_lost && world.trouble.empty()) return {};
   put_back(world);
+  for (const auto& articulate : world.articulates)
+    if (std::exchange(articulate->stored, false)) take_back(*articulate, world);
   if (thing.empty() && !energy_lost) return world.trouble;
   if (std::string law = bad_force(world); !law.empty()) return law;
   if (thing.empty()) return text("the energy of the laws is not a finite number", try_accuracy(world));
@@ -167,8 +169,7 @@ void end_step(World& world) {
   const double time = next_time(world);
   const OfLoosePoints points = measure_loose_points(world);
   share_articulates(world, [](Articulate& articulate, int) {
-    if (!articulate.rest.asleep && !std::exchange(articulate.totals.known, false))
-      articulate.totals = totals_of(articulate);
+    if (!articulate.rest.asleep && !articulate.stored) articulate.totals = totals_of(articulate);
   });
   if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
     world.failure =
@@ -177,7 +178,7 @@ void end_step(World& world) {
     return;
   }
   share_articulates(world, [&](Articulate& articulate, int) {
-    if (!articulate.rest.asleep) store(articulate, world);
+    if (!articulate.rest.asleep && !std::exchange(articulate.stored, false)) store(articulate, world);
   });
   fall_asleep(world);
   world.time = time;

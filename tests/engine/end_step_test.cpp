@@ -10,7 +10,7 @@ using namespace pantin;
 
 namespace {
 
-/// Steps until the world fails, at most `steps` times; true where it did and the last good state was kept.
+/// Steps until the world fails, at most `steps` times; whether it did.
 bool fails_within(World& world, int steps) {
   for (int i = 0; i < steps && world.failure.empty(); i++) step(world);
   return !world.failure.empty();
@@ -60,6 +60,22 @@ TEST_CASE("bad state: a chain kicked beyond all numbers stops the world and name
   REQUIRE(fails_within(world, 2000));
   CHECK_THAT(world.failure, Catch::Contains("link"));
   stays_as_it_is(world);
+}
+
+TEST_CASE("bad state: what goes well beside what does not is where it was at the last good state, too") {
+  World world;
+  const cases::Chain bad = cases::add_chain(world, {.links = 3}),
+                     good = cases::add_chain(world, {.links = 4, .start = vec(0, 0, 1)});
+  advance(world, 0.1);
+  const Motion before = world.motion_of(good.bodies[3]);
+  kick(world, bad.bodies[1], vec(1e308, 1e308, 0));
+  step(world);
+  REQUIRE(world.failure != "");
+  const Motion& now = world.motion_of(good.bodies[3]);
+  CHECK(same(now.x, before.x));
+  CHECK(same(now.p, before.p));
+  CHECK(same(now.angular, before.angular));
+  CHECK(now.q.w == before.q.w);
 }
 
 TEST_CASE("bad state: gravity beyond all numbers stops a falling ring and names a side") {

@@ -1,6 +1,7 @@
 #include "articulates/solve/state.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/row_gaps.hpp"
@@ -81,6 +82,31 @@ void store(const Articulate& a, Model& model) {
     }
     model.points[row.member].row_force = f;
     model.points[row.star_point].row_force -= f;
+  }
+}
+
+void store_early(Articulate& a, Model& model) {
+  for (Node& n : a.nodes) {
+    if (n.is_body) {
+      const Motion& m = model.motion[n.slot];
+      std::tie(n.x1, n.p1, n.P1, n.q1) = std::tie(m.x, m.p, m.angular, m.q);
+    } else {
+      const FreeMotion& m = model.free_motion[n.slot];
+      std::tie(n.x1, n.p1) = std::tie(m.x, m.v);
+    }
+  }
+  store(a, model);
+  a.stored = true;
+}
+
+void take_back(const Articulate& a, Model& model) {
+  for (const Node& n : a.nodes) {
+    if (n.is_body) {
+      Motion& m = model.motion[n.slot];
+      std::tie(m.x, m.p, m.angular, m.q) = std::tie(n.x1, n.p1, n.P1, n.q1);
+    } else {
+      model.free_motion[n.slot] = {n.x1, n.p1};
+    }
   }
 }
 

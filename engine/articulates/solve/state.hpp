@@ -18,6 +18,9 @@ void begin_report(Articulate& articulate);
 /// Writes the nodes' starts and the rows' forces back.
 void store(const Articulate& articulate, Model& model);
 void store(const Node& node, Model& model);
+/// The same before all is known to have gone well: what the model had is kept in the nodes' ends, where `take_back` finds it.
+void store_early(Articulate& articulate, Model& model);
+void take_back(const Articulate& articulate, Model& model);
 
 /// Writes the tensions of solved connections.
 void tell_tensions(const Articulate& articulate, Model& model);
