@@ -5,11 +5,13 @@
 #include <map>
 #include <memory>
 
+#include "base/bounds.hpp"
 #include "base/shortened.hpp"
 #include "edit/common.hpp"
 #include "edit/constrain.hpp"
 #include "measure/query.hpp"
 #include "measure/reach.hpp"
+#include "model/cover.hpp"
 #include "shapes/hull.hpp"
 #include "shapes/mass.hpp"
 
@@ -89,6 +91,7 @@ class Copying {
     def.spin = image_.about(angular_velocity(motion));
     if (!fills(row)) def.mass = row.own_mass;
     def.inertia = image_.inertia(row.own_inertia);
+    def.sprite = row.sprite;
     for (const PointId point : row.points) {
       const Point& of = world_.points[point];
       PointDef& made = def.points.emplace_back();
@@ -118,6 +121,15 @@ class Copying {
     return !weighed && std::fabs(filled - body.own_mass) <= 1e-12 * filled;
   }
 
+  std::shared_ptr<const Cover> cover_of(Cover cover) const {
+    Bounds box;
+    box.add(image_.along(cover.low));
+    box.add(image_.along(cover.high));
+    cover.low = box.low;
+    cover.high = box.high;
+    return std::make_shared<const Cover>(std::move(cover));
+  }
+
   ShapeDef shape_of(const Shape& of) const {
     ShapeDef def;
     def.geometry = of.geometry;
@@ -133,6 +145,7 @@ class Copying {
     def.layer = of.layer > 0 ? world_.layers.names[of.layer - 1] : "";
     def.sensor = of.sensor;
     def.color = of.color;
+    if (of.cover) def.cover = cover_of(*of.cover);
     return def;
   }
 

@@ -4,6 +4,7 @@
 
 #include "articulates/solve/state.hpp"
 #include "contacts/find.hpp"
+#include "model/cover.hpp"
 #include "model/weigh.hpp"
 #include "shapes/distance.hpp"
 #include "shapes/mass.hpp"
@@ -127,6 +128,13 @@ void take_ties(World& world, BodyId body, BodyId fresh, const std::vector<Tie>& 
   }
 }
 
+/// A piece shows what of the picture the whole showed there.
+std::shared_ptr<const Cover> moved_cover(Cover cover, Vec3 by) {
+  cover.low += by;
+  cover.high += by;
+  return std::make_shared<const Cover>(std::move(cover));
+}
+
 /// Shapes of the body, or copies of them that are pieces.
 void take_shapes(World& world, BodyId body, BodyId to, const std::vector<PartShape>& shapes) {
   for (const PartShape& part : shapes) {
@@ -135,6 +143,8 @@ void take_shapes(World& world, BodyId body, BodyId to, const std::vector<PartSha
       Shape row = world.shapes[id];
       row.at += rotate(row.orientation, part.at);
       row.geometry = *part.piece;
+      if (row.cover) row.cover = moved_cover(*row.cover, -part.at);
+      world.bodies[to].sprite.reset();
       row.material.density *= part.denser;
       row.serial = world.next_serial++;
       id = world.shapes.add(std::move(row));

@@ -28,6 +28,7 @@ struct FamilyDef {
   std::optional<double> radius;  ///< [m] >= 0
   std::optional<double> mass;    ///< [kg] > 0
   std::optional<Look> look;
+  std::shared_ptr<const Cover> sprite;
   std::shared_ptr<const Curves> curves;  ///< of "color", "radius" and its attributes; null: none
   std::optional<Solid> solid;            ///< its particles touch; their radius > 0, and follows no age
   std::string layer;                     ///< of what is solid; empty: of none
@@ -70,6 +71,7 @@ struct ShapeDef {
   bool sensor = false;                        ///< tells what it touches, and pushes nothing
   Color color = {0.62f, 0.64f, 0.66f, 1.0f};  ///< of one of the world's
   std::optional<double> extent;               ///< [m] > 0: across which a half space is drawn, about its origin
+  std::shared_ptr<const Cover> cover;
   std::string name;
 };
 
@@ -84,6 +86,7 @@ struct BodyDef {
   Mat3 inertia =
       zero33();  ///< [kg m²] beside the points', about the frame's origin, or about the centre of the shapes; symmetric, positive semidefinite
   Color color = {0.93f, 0.55f, 0.27f, 1.0f};
+  std::shared_ptr<const Cover> sprite;
   std::string name;
 };
 

@@ -66,6 +66,7 @@ FamilyId add_family(World& world, const FamilyDef& def) {
   row.radius = def.radius;
   row.mass = def.mass;
   row.look = def.look;
+  row.sprite = def.sprite;
   row.curves = curves_of(call, row, def.curves, false, false, {});
   row.name = def.name;
   if (def.solid) {

@@ -123,6 +123,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   row.own_mass = own.mass;
   row.own_inertia = own.inertia;
   row.own_position = own.position;
+  row.sprite = def.sprite;
   row.name = def.name;
   row.serial = world.next_serial++;
   const BodyId id = world.bodies.add(std::move(row));

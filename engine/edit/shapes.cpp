@@ -66,6 +66,7 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   row.sensor = def.sensor;
   row.color = def.color;
   row.extent = def.extent;
+  row.cover = def.cover;
   row.name = def.name;
   row.serial = world.next_serial++;
   world.unchecked = true;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 namespace pantin {
 
 struct Shape;
+struct Cover;
 
 /// What a body's points leave free: all six; five, where every point lies on one line and nothing has inertia about it
 /// (its spin about the line is 0); three, where all lie at one position.
@@ -29,6 +31,7 @@ struct Body {
   Freedom freedom = Freedom::rigid;             ///< of what nothing ties
   bool bare = false;                            ///< has no inertia about an axis that points are off
   bool lift_told = false;                       ///< that it moves with more than it has
+  std::shared_ptr<const Cover> sprite;          ///< drawn instead of its shapes and points; null: none
   std::string name;
   std::uint64_t serial = 0;
 };

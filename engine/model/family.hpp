@@ -17,6 +17,7 @@ namespace pantin {
 enum class Look : std::uint8_t { ball, glow, streak };
 
 struct Curves;
+struct Cover;
 
 /// How particles touch: as balls of their radius that do not turn.
 struct Solid {
@@ -36,6 +37,7 @@ struct Family {
   std::optional<double> radius;       ///< [m]
   std::optional<double> mass;         ///< [kg]
   std::optional<Look> look;
+  std::shared_ptr<const Cover> sprite;   ///< drawn instead of its free particles; null: none
   std::shared_ptr<const Curves> curves;  ///< of a particle that gives none; null: none
   std::optional<Solid> solid;            ///< none: its particles touch nothing
   std::string name;

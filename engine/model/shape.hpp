@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "base/color.hpp"
 #include "base/handle.hpp"
 #include "model/body.hpp"
+#include "model/cover.hpp"
 #include "shapes/shape.hpp"
 
 namespace pantin {
@@ -32,6 +34,7 @@ struct Shape {
   bool sensor = false;           ///< tells what it touches, and pushes nothing
   Color color;                   ///< of one of the world's
   std::optional<double> extent;  ///< [m] across which a half space is drawn, about its origin; none: as the stage wants
+  std::shared_ptr<const Cover> cover;  ///< null: its colour alone
   std::string name;
   std::uint64_t serial = 0;
 };

@@ -62,6 +62,7 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
+---@alias Picture string|PictureOptions a file, which is once on each face, or a file and its width
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
 ---@alias Moment "step"|"press"|"release"|"key"|"key_up"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
@@ -377,6 +378,8 @@ function Particle:force(body) end
 ---@field layer string? of its first shape, nil without one; writing gives it to all
 ---@field colliders Collider[] its shapes, in the order of making (read only)
 ---@field contacts Contact[] where its shapes touch others, after the last step (read only)
+---@field picture Picture? of its first shape; writing gives it to all
+---@field sprite Sprite? drawn instead of its shapes and points; nil: those
 ---@field [string] Point its named points
 local Body = {}
 ---Pulls for the coming step, at its centre of mass or at a position of the world.
@@ -620,6 +623,7 @@ function Group:clusters(distance) end
 ---@field friction number? [1] of what is solid, else nil
 ---@field restitution number? [1] 0 … 1, of what is solid, else nil
 ---@field layer string? of what is solid, see scene:collide
+---@field sprite Sprite? drawn instead of its free particles; nil: as their look says
 local Family = {}
 
 ---Ties two, three or four particles by a law.
@@ -664,6 +668,7 @@ local Emitter = {}
 ---@field sensor boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size number? [m] of a plane: across which it is drawn, though it has no end; nil: as far as is seen
 ---@field color color how it is drawn
+---@field picture Picture? that is drawn on it, times its color; nil: the color alone
 local Collider = {}
 
 ---Something set to happen.
@@ -939,6 +944,7 @@ function Scene:ball(options) end
 ---Makes a rigid body that is a box, which touches.
 ---```lua
 ---local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
+---local pictured = scene:box { size = 1, at = vec(2, 3, 0), picture = "crate.png" }
 ---```
 ---@param options BoxOptions
 ---@return Body
@@ -1504,6 +1510,16 @@ function OpenedScene:restore(snapshot) end
 ---@field color? Curve<color> (default blue, or its family's)
 ---@field look? Look (default `"ball"`, or its family's)
 
+---A PNG or JPEG, of at most 4096 x 4096 pixels and 16 MiB. It is on each face of a box, round balls, capsules and cylinders, and across other shapes as one looks at them; where it is clear, the color shows. A .glb has it, too, but for that of floors.
+---@class PictureOptions
+---@field file string in the scene's folder or assets/pictures
+---@field width? number [m] of the picture, which is repeated (default once on each face)
+
+---A flat picture that is drawn instead of a thing; what is less than half opaque of it is not there. A .glb has the thing.
+---@class Sprite
+---@field file string a PNG or JPEG in the scene's folder or assets/pictures
+---@field width number [m] of the picture
+
 ---@class ParticleOptions: NameOptions, LookOptions
 ---@field at? vec [m] position (default `vec(0, 0, 0)`)
 ---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
@@ -1512,6 +1528,7 @@ function OpenedScene:restore(snapshot) end
 ---@field [string] Curve<number> [each its own] attributes of its family
 
 ---@class FamilyOptions: LookOptions
+---@field sprite? Sprite drawn instead of its free particles, times their color where one is given (default none)
 ---@field attributes? table<string, Curve<number>>|string[] [each its own] values of a particle that gives none; of names alone 0 (default `{}`)
 ---@field solid? boolean its free particles touch shapes and each other, as balls of their radius that do not turn (default `false`)
 ---@field friction? number [1] >= 0, of what is solid: of two that touch the root of the product (default `0.5`)
@@ -1558,7 +1575,9 @@ function OpenedScene:restore(snapshot) end
 ---@field spin? vec [rad/s] angular velocity, world axes (default `vec(0, 0, 0)`)
 ---@field mass? number [kg] beside its points', spread over its shapes, or else at its frame's origin (default that of its shapes' density where no point has a mass, else `0`)
 ---@field inertia? vec|Inertia|number[] [kg m²] beside its points', about the centre of its shapes, or else its frame's origin, in the frame's axes; a vec is the diagonal (default that of its shapes, else `vec(0, 0, 0)`)
----@field color? color of its points and shapes (default orange)
+---@field color? color of its points and shapes (default orange; of shapes with a picture white)
+---@field picture? Picture of those of its shapes that have none (default none)
+---@field sprite? Sprite drawn instead of its shapes and points, about its frame's origin; it turns with the body in a scene with a plane, else it faces the camera (default none)
 
 ---It needs masses enough to turn: of its shapes, of its points, or its own mass and inertia.
 ---@class BodyOptions: AnyBodyOptions
@@ -1587,14 +1606,16 @@ function OpenedScene:restore(snapshot) end
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
----@field color? color of its brighter squares (default grey)
+---@field color? color of its brighter squares (default grey; with a picture white)
+---@field picture? Picture instead of squares, again and again; 1 m wide unless it says so (default none)
 
 ---@class GroundOptions
 ---@field shape? Shape to be put into the world (default none)
 ---@field shapes? Shape[] several of them (default none)
 ---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
----@field color? color of those that have none (default grey)
+---@field color? color of those that have none (default grey; with a picture white)
+---@field picture? Picture of those that have none (default none)
 ---@field layer? string of those that have none (default none)
 
 ---Of two layers that touch.
@@ -1847,7 +1868,8 @@ function OpenedScene:restore(snapshot) end
 ---@class ShapeOptions: NameOptions, MaterialOptions
 ---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
----@field color? color (default the body's, or grey)
+---@field color? color (default the body's, or grey; with a picture white)
+---@field picture? Picture that is drawn on it, times its color (default the body's, or none)
 
 ---@class BallSize
 ---@field radius number [m]

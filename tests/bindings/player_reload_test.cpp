@@ -500,3 +500,26 @@ TEST_CASE("reload: a motor that is told its speed goes on at it") {
   for (Played* one : {&played, &other}) one->steps(100);
   CHECK(state_hash(played.scene->world()) == state_hash(other.scene->world()));
 }
+
+TEST_CASE("reload: a picture that has changed is taken over, one that is none leaves all as it is") {
+  const auto picture_of = [](const std::string& name) {
+    return read_file(sources::folder() + "/assets/pictures/" + name);
+  };
+  Played played("");
+  played.save(picture_of("crate.png"), "mine.png");
+  played.save_and_look("scene:box { name = 'box', size = 1, picture = 'mine.png' }");
+  const auto shown = [&] {
+    const World& world = played.scene->world();
+    return world.shapes[world.bodies[played.body("box")].shapes[0]].cover->picture->content;
+  };
+  played.steps(20);
+  const Vec3 at = played.place("box");
+  CHECK(shown() == picture_of("crate.png"));
+  played.save("half of a picture", "mine.png");
+  CHECK_THAT(played.look().error, Contains("'mine.png' is neither a PNG nor a JPEG"));
+  CHECK(shown() == picture_of("crate.png"));
+  played.save(picture_of("bricks.png"), "mine.png");
+  CHECK(played.look().error == "");
+  CHECK(shown() == picture_of("bricks.png"));
+  CHECK(same(played.place("box"), at));
+}

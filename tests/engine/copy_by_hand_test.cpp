@@ -8,6 +8,8 @@
 #include "edit/edit.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
+#include "model/cover.hpp"
+#include "shapes/hull.hpp"
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
@@ -218,4 +220,19 @@ TEST_CASE("copy by hand: what is gone cannot be copied, and what cannot be copie
   REQUIRE(shop.world.log.size() == 1);
   CHECK_THAT(shop.world.log[0].text, Catch::Contains("follow"));
   CHECK_THAT(shop.world.log[0].text, Catch::Contains("is led by a function"));
+}
+
+TEST_CASE("copy by hand: a copy has picture and sprite, and in the mirror image the picture's box is mirrored") {
+  Workshop shop;
+  BodyDef def;
+  def.shapes.emplace_back().geometry = make_hull(std::vector{vec(0, 0, 0), vec(1, 0, 0), vec(0, 2, 0), vec(0, 0, 1)});
+  def.shapes[0].cover = std::make_shared<const Cover>(Cover{{}, 0.5, vec(0, 0, 0), vec(1, 2, 1)});
+  def.sprite = def.shapes[0].cover;
+  shop.copy(add_body(shop.world, def), vec(4, 0, 0), vec(1, 0, 0));
+  const Body& made = shop.world.bodies[shop.last()];
+  const Cover& cover = *shop.world.shapes[made.shapes[0]].cover;
+  CHECK(same(cover.low, vec(-1, 0, 0)));
+  CHECK(same(cover.high, vec(0, 2, 1)));
+  CHECK(cover.width == 0.5);
+  CHECK(made.sprite == def.sprite);
 }

@@ -146,7 +146,7 @@ local function body(at)
   local x = number(0.2, 1)
   local points = string.format("points = { a = vec(-%s, 0, 0), b = vec(%s, 0, 0)%s }", x, x, chance(0.3) and ", c = { at = " .. vector(0.5) .. ", mass = 0.5 }" or "")
   local rest = ", at = " .. (at or vector(3)) .. motion() .. ", " .. points
-  local shaped = material()
+  local shaped = material() .. (chance(0.1) and ", picture = 'crate.png'" or "")
   say("%s = scene:%s }", b, pick {
     "ball { radius = " .. number(0.1, 0.6) .. shaped .. rest,
     "box { size = vec(" .. number(0.2, 1) .. ", 0.5, 0.4)" .. shaped .. rest,

@@ -13,6 +13,16 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field color? Curve<color> (default blue, or its family's)
 ---@field look? Look (default `"ball"`, or its family's)
 
+---A PNG or JPEG, of at most 4096 x 4096 pixels and 16 MiB. It is on each face of a box, round balls, capsules and cylinders, and across other shapes as one looks at them; where it is clear, the color shows. A .glb has it, too, but for that of floors.
+---@class PictureOptions
+---@field file string in the scene's folder or assets/pictures
+---@field width? number [m] of the picture, which is repeated (default once on each face)
+
+---A flat picture that is drawn instead of a thing; what is less than half opaque of it is not there. A .glb has the thing.
+---@class Sprite
+---@field file string a PNG or JPEG in the scene's folder or assets/pictures
+---@field width number [m] of the picture
+
 ---@class ParticleOptions: NameOptions, LookOptions
 ---@field at? vec [m] position (default `vec(0, 0, 0)`)
 ---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
@@ -21,6 +31,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field [string] Curve<number> [each its own] attributes of its family
 
 ---@class FamilyOptions: LookOptions
+---@field sprite? Sprite drawn instead of its free particles, times their color where one is given (default none)
 ---@field attributes? table<string, Curve<number>>|string[] [each its own] values of a particle that gives none; of names alone 0 (default `{}`)
 ---@field solid? boolean its free particles touch shapes and each other, as balls of their radius that do not turn (default `false`)
 ---@field friction? number [1] >= 0, of what is solid: of two that touch the root of the product (default `0.5`)
@@ -67,7 +78,9 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field spin? vec [rad/s] angular velocity, world axes (default `vec(0, 0, 0)`)
 ---@field mass? number [kg] beside its points', spread over its shapes, or else at its frame's origin (default that of its shapes' density where no point has a mass, else `0`)
 ---@field inertia? vec|Inertia|number[] [kg m²] beside its points', about the centre of its shapes, or else its frame's origin, in the frame's axes; a vec is the diagonal (default that of its shapes, else `vec(0, 0, 0)`)
----@field color? color of its points and shapes (default orange)
+---@field color? color of its points and shapes (default orange; of shapes with a picture white)
+---@field picture? Picture of those of its shapes that have none (default none)
+---@field sprite? Sprite drawn instead of its shapes and points, about its frame's origin; it turns with the body in a scene with a plane, else it faces the camera (default none)
 
 ---It needs masses enough to turn: of its shapes, of its points, or its own mass and inertia.
 ---@class BodyOptions: AnyBodyOptions
@@ -96,14 +109,16 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
----@field color? color of its brighter squares (default grey)
+---@field color? color of its brighter squares (default grey; with a picture white)
+---@field picture? Picture instead of squares, again and again; 1 m wide unless it says so (default none)
 
 ---@class GroundOptions
 ---@field shape? Shape to be put into the world (default none)
 ---@field shapes? Shape[] several of them (default none)
 ---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
----@field color? color of those that have none (default grey)
+---@field color? color of those that have none (default grey; with a picture white)
+---@field picture? Picture of those that have none (default none)
 ---@field layer? string of those that have none (default none)
 
 ---Of two layers that touch.

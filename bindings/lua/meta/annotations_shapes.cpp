@@ -17,7 +17,8 @@ const char* const annotations_shapes = R"(---What shapes are made of, and what t
 ---@class ShapeOptions: NameOptions, MaterialOptions
 ---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
----@field color? color (default the body's, or grey)
+---@field color? color (default the body's, or grey; with a picture white)
+---@field picture? Picture that is drawn on it, times its color (default the body's, or none)
 
 ---@class BallSize
 ---@field radius number [m]

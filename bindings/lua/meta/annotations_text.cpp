@@ -67,6 +67,7 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
+---@alias Picture string|PictureOptions a file, which is once on each face, or a file and its width
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
 ---@alias Moment "step"|"press"|"release"|"key"|"key_up"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls

@@ -44,6 +44,7 @@ const std::vector<ReferenceTasks> all = {
       {"many things from a shape, a lattice or a molecule", {"Scene:build", "BuildOptions", "structure"}},
       {"a named set of things", {"Scene:group", "Group:add"}},
       {"how they look", {"LookOptions", "Look", "color", "Curve"}},
+      {"pictures on them, or instead of them", {"Picture", "Sprite"}},
       {"positions and rotations", {"vec", "quat"}}}},
     {of_constraints.data(),
      {{"points of bodies to one position, free to turn", {"Scene:hinge", "HingeOptions"}},

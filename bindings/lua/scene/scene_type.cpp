@@ -49,7 +49,7 @@ int scene_particle(lua_State* state) {
 
 int scene_body(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "body");
-  push_thing(state, self.script, add_body(self.world, body_def(state, 2)));
+  push_thing(state, self.script, add_body(self.world, body_def(self.script, state, 2)));
   return 1;
 }
 
@@ -124,7 +124,8 @@ std::vector<Method> making() {
       {"ball", guard<scene_ball>, "options: BallOptions", "Body", "Makes a rigid body that is a ball, which touches.",
        "local ball = scene:ball { radius = 0.2, at = vec(0, 2, 0), velocity = vec(3, 0, 0), restitution = 0.7 }"},
       {"box", guard<scene_box>, "options: BoxOptions", "Body", "Makes a rigid body that is a box, which touches.",
-       "local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
+       "local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }\n"
+       "local pictured = scene:box { size = 1, at = vec(2, 3, 0), picture = \"crate.png\" }"},
       {"block", guard<scene_box>, "options: BoxOptions", "Body", "The same as scene:box.",
        "local brick = scene:block { size = vec(0.2, 0.1, 0.1), at = vec(0, 4, 0) }"},
       {"capsule", guard<scene_capsule>, "options: CapsuleOptions", "Body",

@@ -18,7 +18,7 @@ int scene_floor(lua_State* state) {
 
 int scene_ground(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "ground");
-  const std::vector<ShapeDef> defs = ground_defs(state, 2);
+  const std::vector<ShapeDef> defs = ground_defs(self.script, state, 2);
   luaL_checkstack(state, static_cast<int>(defs.size()) + 8, "ground: too many shapes at once");
   for (const ShapeId shape : add_shapes(self.world, defs)) push_thing(state, self.script, shape);
   return static_cast<int>(defs.size());

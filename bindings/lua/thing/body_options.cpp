@@ -5,6 +5,7 @@
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/ground_options.hpp"
+#include "lua/thing/picture_options.hpp"
 #include "lua/thing/shape_options.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/value/values.hpp"
@@ -87,12 +88,12 @@ namespace {
 
 /// What bodies of all sorts are given.
 const std::vector<std::string>& body_options() {
-  static const std::vector<std::string> names = {"points", "at",      "orientation", "velocity", "spin",
-                                                 "mass",   "inertia", "color",       "name"};
+  static const std::vector<std::string> names = {"points",  "at",    "orientation", "velocity", "spin", "mass",
+                                                 "inertia", "color", "picture",     "sprite",   "name"};
   return names;
 }
 
-BodyDef body_of(const Options& o) {
+BodyDef body_of(Script& script, const Options& o) {
   BodyDef def;
   def.name = o.string("name").value_or("");
   def.mass = o.number("mass", "kg").value_or(0.0);
@@ -106,6 +107,7 @@ BodyDef body_of(const Options& o) {
   def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
   def.spin = o.vector("spin", "rad/s").value_or(def.spin);
   def.color = o.color("color").value_or(def.color);
+  def.sprite = sprite_option(script, o);
   if (o.has("points")) {
     def.points = point_defs(o.state(), o.push("points"));
     lua_pop(o.state(), 1);
@@ -132,17 +134,18 @@ void check_density(const Options& o, const BodyDef& def, const std::vector<Shape
 
 }  // namespace
 
-BodyDef body_def(lua_State* state, int index) {
+BodyDef body_def(Script& script, lua_State* state, int index) {
   refuse_fixed(state, index, "body");
   refuse_material(state, index, "body");
   static const std::vector<std::string> known = with_names(body_options(), {"shape", "shapes", "layer"});
   const Options o(state, index, "body", known);
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
-  BodyDef def = body_of(o);
-  std::vector<ShapeValue> shapes = shape_options(o, def.color);
+  BodyDef def = body_of(script, o);
+  std::vector<ShapeValue> shapes = shape_options(script, o, def.color);
   check_density(o, def, shapes);
   for (ShapeValue& shape : shapes) def.shapes.push_back(std::move(shape.def));
   require(!def.shapes.empty() || !o.has("layer"), "body: layer is of its shapes, and it has none");
+  require(!def.shapes.empty() || !o.has("picture"), "body: picture is of its shapes, and it has none");
   for (std::size_t i = 0; i < def.shapes.size(); i++)
     require(is_convex(def.shapes[i].geometry), "body: shape ", i + 1,
             " is a plane, a mesh or heights, which do not move; give it to scene:ground");
@@ -153,11 +156,12 @@ BodyDef solid_def(Script& script, lua_State* state, int index, const char* name,
   const ShapeKind& kind = shape_kind(name);
   refuse_fixed(state, index, call);
   const Options o(state, index, call, with_names(with_names(kind.sizes, material_options()), body_options()));
-  BodyDef def = body_of(o);
+  BodyDef def = body_of(script, o);
   const ShapeValue shape = shape_of_sizes(script, kind, o);
   check_density(o, def, {shape});
   def.shapes = {shape.def};
-  def.shapes[0].color = def.color;
+  def.shapes[0].cover = spread(picture_option(script, o), shape.def.geometry);
+  def.shapes[0].color = color_option(o, def.shapes[0].cover, def.color);
   return def;
 }
 

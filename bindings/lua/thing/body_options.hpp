@@ -11,8 +11,8 @@ struct Script;
 
 /// A point: a vec in the body's frame, or { at, mass, color, radius }, and `name` where `may_name`.
 PointDef point_def(lua_State* state, int index, const std::string& call, const std::string& name, bool may_name);
-/// `{ shape, shapes, points, at, orientation, velocity, spin, mass, inertia, color, name }`.
-BodyDef body_def(lua_State* state, int index);
+/// `{ shape, shapes, points, at, orientation, velocity, spin, mass, inertia, color, picture, sprite, name }`.
+BodyDef body_def(Script& script, lua_State* state, int index);
 /// A body of one shape, whose sizes and material are among its options: a "ball", "box", "capsule" or "cylinder".
 BodyDef solid_def(Script& script, lua_State* state, int index, const char* kind, const char* call);
 /// The vec of the diagonal, or { xx, yy, zz, xy, xz, yz } by name or in this order, [kg m²].

@@ -1,6 +1,7 @@
 #include "edit/edit.hpp"
 #include "lua/thing/body_options.hpp"
 #include "lua/thing/fields.hpp"
+#include "lua/thing/picture_fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
@@ -60,6 +61,8 @@ bool named_point(const Self& self, const char* name) {
 
 Type make_body_type() {
   Type type = type_with(fields::body_type());
+  type.fields.push_back(picture_of_body());
+  type.fields.push_back(sprite_of_body());
   type.methods = {
       {"push", guard<push_force>, "force: vec [N], at?: vec [m]", "",
        "Pulls for the coming step, at its centre of mass or at a position of the world.",

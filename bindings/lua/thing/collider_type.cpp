@@ -2,6 +2,7 @@
 
 #include "lua/thing/fields.hpp"
 #include "lua/thing/ground_options.hpp"
+#include "lua/thing/picture_fields.hpp"
 #include "lua/thing/script.hpp"
 
 namespace pantin::lua {
@@ -20,6 +21,7 @@ bool refuse_motion(const Self& self, const char* name, int) {
 const Type& collider_type() {
   static const Type type = [] {
     Type made = type_with(fields::collider_type());
+    made.fields.push_back(picture_of_collider());
     add_base(made, any_thing_type());
     add_common_remove(made);
     made.write_more = refuse_motion;

@@ -5,6 +5,7 @@
 #include "lua/law/curve_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/look_options.hpp"
+#include "lua/thing/picture_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
 
@@ -80,8 +81,9 @@ int scene_family(lua_State* state) {
   FamilyDef def;
   def.name = check_text(state, 2, "family", "argument 1, the name,");
   const std::string what = text("family '", def.name, "'");
-  const Options o(state, 3, what,
-                  {"attributes", "color", "radius", "mass", "look", "solid", "friction", "restitution", "layer"});
+  const Options o(
+      state, 3, what,
+      {"attributes", "color", "radius", "mass", "look", "sprite", "solid", "friction", "restitution", "layer"});
   Looks looks = look_options(o, {});
   if (o.has("attributes")) {
     read_attributes(state, o.push("attributes"), what, looks);
@@ -91,6 +93,7 @@ int scene_family(lua_State* state) {
   def.color = looks.color;
   def.radius = looks.radius;
   def.look = looks.look;
+  def.sprite = sprite_option(self.script, o);
   def.curves = looks.curves;
   def.mass = o.number("mass", "kg");
   read_solid(o, what, def);

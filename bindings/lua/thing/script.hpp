@@ -91,6 +91,7 @@ struct Script : ScriptHost, ScriptData {
   std::size_t data_count = 0;                        ///< tables of things' data
   std::size_t data_sweep = 64;                       ///< count at which the dead ones are dropped
   std::vector<SpokenLayer> spoken_layers;            ///< since the last step
+  std::map<std::string, std::shared_ptr<const Picture>> pictures;  ///< that were read, by their names
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};

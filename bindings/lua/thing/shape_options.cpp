@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lua/thing/picture_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/value/tostring.hpp"
@@ -336,7 +337,7 @@ ShapeValue shape_of_sizes(Script& script, const ShapeKind& kind, const Options& 
 
 ShapeValue shape_at(Script& script, const ShapeKind& kind, lua_State* state, int index) {
   std::vector<std::string> known = with_names(kind.sizes, {"at", "orientation"});
-  known = with_names(with_names(std::move(known), material_options()), {"color", "name"});
+  known = with_names(with_names(std::move(known), material_options()), {"color", "picture", "name"});
   const Options o(state, index, kind.name, std::move(known));
   ShapeValue value = shape_of_sizes(script, kind, o);
   const Quat turn = normalised(o.quat("orientation").value_or(Quat{}));
@@ -345,6 +346,7 @@ ShapeValue shape_at(Script& script, const ShapeKind& kind, lua_State* state, int
   value.def.name = o.string("name").value_or("");
   value.color = o.color("color");
   if (value.color) value.def.color = *value.color;
+  value.def.cover = spread(picture_option(script, o), value.def.geometry);
   return value;
 }
 

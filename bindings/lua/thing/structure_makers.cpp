@@ -1,15 +1,14 @@
 // The table `structure`: polyhedra, lattices, mechanisms and structures of a scene's own.
 #include <cmath>
-#include <filesystem>
 #include <span>
 
+#include "lua/thing/scene_file.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/value/tostring.hpp"
 #include "lua/vm/guard.hpp"
-#include "scene/files.hpp"
 #include "structures/lattice.hpp"
 #include "structures/mesh_file.hpp"
 #include "structures/molecule.hpp"
@@ -18,7 +17,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
+constexpr std::size_t largest_file = std::size_t{256} << 20;  // bytes
 
 int push_made(lua_State* state, Structure structure) {
   push_structure(state, script_of(state), std::move(structure));
@@ -159,31 +158,12 @@ int make_new(lua_State* state) {
   return push_made(state, make_structure(std::move(vertices), edges, std::move(faces)));
 }
 
-/// A file below the scene's folder, or in a folder of `assets` that comes with the program.
-std::string read_scene_file(lua_State* state, const char* call, const char* assets, const std::string& name) {
-  require(stays_inside(name), call, ": '", name, "' must be a file below the scene's folder or assets/", assets,
-          ", not an absolute path or one with ..");
-  Runtime& runtime = Runtime::of(state);
-  const std::string folders[] = {runtime.folder, path_in(runtime.home, text("assets/", assets))};
-  const std::string places[] = {path_in(folders[0], name), path_in(folders[1], name)};
-  for (std::size_t i = 0; i < std::size(places); i++) {
-    const std::string& path = places[i];
-    require(lies_below(path, folders[i]), call, ": '", name, "' leads out of its folder");
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    require(error || size <= largest_file, call, ": '", path, "' has ", size >> 20, " MiB; at most ",
-            largest_file >> 20, " are read");
-    if (const auto content = runtime.read(path)) return *content;
-  }
-  throw Error(text(call, ": there is no file '", places[0], "' or '", places[1], "'"));
-}
-
 int molecule(lua_State* state) {
   const std::string name = check_text(state, 1, "molecule", "argument 1, the file,");
   const Options o(state, 2, "molecule", {"scale"});
   const double scale = o.number("scale", "m/Å").value_or(1.0);
   require(scale > 0.0, "molecule: scale must be > 0 m/Å, got ", scale);
-  const std::string content = read_scene_file(state, "molecule", "molecules", name);
+  const std::string content = read_scene_file(state, "molecule", "molecules", name, largest_file);
   Structure read;
   try {
     read = read_molecule(content, name);
@@ -255,7 +235,7 @@ std::vector<Method> make_structure_makers() {
 
 Structure mesh_of_file(lua_State* state, Script& script, const std::string& name, double scale) {
   require(scale > 0.0, "mesh: scale must be > 0, got ", scale);
-  const std::string content = read_scene_file(state, "mesh", "meshes", name);
+  const std::string content = read_scene_file(state, "mesh", "meshes", name, largest_file);
   Structure read;
   try {
     read = read_mesh_file(content, name);

@@ -1,0 +1,71 @@
+#include "lua/thing/picture_fields.hpp"
+
+#include "lua/thing/picture_options.hpp"
+#include "lua/thing/script.hpp"
+
+namespace pantin::lua {
+namespace {
+
+Body& pictured_body(const Self& s) { return s.world.bodies[s.ref.id<BodyId>()]; }
+Shape& pictured_shape(const Self& s) { return s.world.shapes[std::get<ShapeId>(s.ref.thing)]; }
+Family& pictured_family(const Self& s) { return s.world.families[s.ref.id<FamilyId>()]; }
+
+void read_picture_of_body(const Self& s) {
+  const Body& body = pictured_body(s);
+  push_cover(s.state, body.shapes.empty() ? nullptr : s.world.shapes[body.shapes[0]].cover.get());
+}
+
+void write_picture_of_body(const Self& s, int index) {
+  const auto cover = check_picture(s.script, s.state, index, "body: picture");
+  for (const ShapeId id : pictured_body(s).shapes)
+    s.world.shapes[id].cover = spread(cover, s.world.shapes[id].geometry);
+}
+
+void write_picture_of_collider(const Self& s, int index) {
+  Shape& shape = pictured_shape(s);
+  shape.cover = spread(check_picture(s.script, s.state, index, "collider: picture"), shape.geometry);
+}
+
+}  // namespace
+
+Field picture_of_body() {
+  return {"picture",
+          "Picture?",
+          "",
+          "of its first shape; writing gives it to all",
+          read_picture_of_body,
+          write_picture_of_body};
+}
+
+Field picture_of_collider() {
+  return {"picture",
+          "Picture?",
+          "",
+          "that is drawn on it, times its color; nil: the color alone",
+          [](const Self& s) { push_cover(s.state, pictured_shape(s).cover.get()); },
+          write_picture_of_collider};
+}
+
+Field sprite_of_body() {
+  return {"sprite",
+          "Sprite?",
+          "",
+          "drawn instead of its shapes and points; nil: those",
+          [](const Self& s) { push_cover(s.state, pictured_body(s).sprite.get()); },
+          [](const Self& s, int index) {
+            pictured_body(s).sprite = check_sprite(s.script, s.state, index, "body: sprite");
+          }};
+}
+
+Field sprite_of_family() {
+  return {"sprite",
+          "Sprite?",
+          "",
+          "drawn instead of its free particles; nil: as their look says",
+          [](const Self& s) { push_cover(s.state, pictured_family(s).sprite.get()); },
+          [](const Self& s, int index) {
+            pictured_family(s).sprite = check_sprite(s.script, s.state, index, "family: sprite");
+          }};
+}
+
+}  // namespace pantin::lua
