@@ -14,9 +14,7 @@ void main() {
   float at = t - sqrt(max(q, 0.0) / dd);
   vec3 p = d * at - c;
   vec3 n = normalize(transpose(inward) * p);
-  float stripe = sin(3.0 * atan(p.z, p.x)) * length(p.xz);  // six segments, so that a spin is seen
-  float w = max(fwidth(stripe), 1e-6);
-  vec3 color = mix(second_of, paint_of, smoothstep(-w, w, stripe));
+  vec3 color = painted(p, paint_of, second_of);
   vec3 hit = ray * at;
   gl_FragDepth = depth_of(hit);
   result = vec4(shown(shade(color, n, -ray)), a);

@@ -5,6 +5,7 @@ uniform vec3 paint;
 uniform vec2 from;      // where the middle is [squares]
 uniform float squares;  // in a unit
 uniform float reach;
+uniform float aspect;   // of a picture instead of squares, its width over its height; 0: none
 out vec4 result;
 
 // 1 and 0 by turns, even where squares are smaller than pixels: the integral of the pattern over a pixel.
@@ -17,6 +18,8 @@ float checks(vec2 at) {
 void main() {
   float off = dot(place, place) / (reach * reach), fade = clamp(1.6 * (1.0 - off), 0.0, 1.0);
   float lit = 0.62 + 0.38 * max(dot(normal, light), 0.0);
-  vec3 color = paint * lit * mix(0.88, 1.0, checks(place * squares + from));
+  vec2 at = place * squares * vec2(1.0, aspect) + from;
+  vec3 color = lit * (aspect > 0.0 ? pictured(paint, texture(picture, vec2(at.x, -at.y)))
+                                   : paint * mix(0.88, 1.0, checks(place * squares + from)));
   result = vec4(shown(color), fade * fade);
 }

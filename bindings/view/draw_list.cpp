@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "edit/edit.hpp"
 #include "forces/curves.hpp"
 #include "forces/forces.hpp"
 #include "laws/run/sites.hpp"
+#include "view/draw_eye.hpp"
 
 namespace pantin {
 
@@ -21,26 +23,6 @@ constexpr Color spark = {1.00f, 0.62f, 0.18f, 1.0f};
 constexpr double least_pull = 1e-9;   // [units/s²] that a load could give all that moves, to be shown
 constexpr double streak_time = 0.03;  // [s] of its flight that a streak shows
 constexpr double break_time = 0.5;    // [s] for which a break is shown
-
-// Of what is shown; the shaders take the root again.
-float linear(float c) {
-  const float part = std::clamp(c, 0.0f, 1.0f);
-  return part * part;
-}
-Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
-Rgb mix(Rgb a, Rgb b, float part) {
-  return {a.r + (b.r - a.r) * part, a.g + (b.g - a.g) * part, a.b + (b.b - a.b) * part};
-}
-Float3 floats(Vec3 v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
-
-void include(DrawList& s, Float3 p, float r) {
-  s.lower = {std::min(s.lower.x, p.x - r), std::min(s.lower.y, p.y - r), std::min(s.lower.z, p.z - r)};
-  s.upper = {std::max(s.upper.x, p.x + r), std::max(s.upper.y, p.y + r), std::max(s.upper.z, p.z + r)};
-}
-
-}  // namespace
-
-namespace {
 
 /// [N] The largest force that a hinge exerts on a member.
 double load_of(const World& world, const Particle& hinge) {
@@ -62,34 +44,6 @@ double mass_of(const World& world) {
 
 }  // namespace
 
-struct DrawListMaker::Eye {
-  Vec3 at, forward;
-  double unit;   // [m]
-  double pixel;  // size of a pixel at distance 1
-
-  double pixel_at(Vec3 p) const { return pixel * std::max(dot(p - at, forward), 1e-3 * unit); }  // [m]
-  Float3 place(Vec3 p) const { return floats((p - at) / unit); }
-  // A radius [m], but at least some pixels wide where it is.
-  float radius(double r, Vec3 p, double least) const {
-    return static_cast<float>(std::max(r / unit, least * pixel * std::max(dot(p - at, forward) / unit, 0.0)));
-  }
-  void ball(DrawList& s, Vec3 p, double r, double least, Rgb color, DrawList::Style style, Rgb second) const {
-    const float radius_of = radius(r, p, least);
-    s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second});
-    include(s, place(p), radius_of);
-  }
-  void bar(DrawList& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
-    const float radius_of = radius(r, dot(a - at, forward) < dot(b - at, forward) ? a : b, least);
-    s.bars.push_back({place(a), radius_of, place(b), unlit ? 1.0f : 0.0f, color});
-    if (unlit) return;
-    include(s, place(a), radius_of);
-    include(s, place(b), radius_of);
-  }
-};
-
-namespace {
-
-// The outline of an ellipsoid's shadow: the ellipse to which the light projects its half axes.
 void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float level) {
   constexpr int corners = 28;
   const Vec3 light = key_light();
@@ -118,8 +72,6 @@ void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float le
     at(b, in, 1.0f), at(a, out, 0.0f), at(b, out, 0.0f);
   }
 }
-
-}  // namespace
 
 Vec3 key_light() {
   static const Vec3 to_light = direction(vec(-0.42, 0.85, 0.38));
@@ -156,7 +108,9 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   draw_list.streaks.clear();
   draw_list.lower = {1e30f, 1e30f, 1e30f};
   draw_list.upper = {-1e30f, -1e30f, -1e30f};
-  const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
+  const Eye eye{camera.eye(), camera.forward(), camera.right(),
+                camera.up(),  camera.distance,  2.0 * std::tan(0.5 * camera.fov) / height};
+  draw_list.clear_sheets();
   joints_.assign(world.particles.slots(), 0.0f);
   tints_.update(world, overlay.views, stage.size);
   find_loads(world, overlay.views, stage);
@@ -195,6 +149,7 @@ void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const Ti
     draw_list.corners.push_back({eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), shown(c.color)});
     include(draw_list, draw_list.corners.back().at, 0.0f);
   }
+  for (const Figure::Sheet& sheet : figure.sheets) draw_sheet(sheet, pose, tint, eye, stage, draw_list);
 }
 
 /// The world's shapes.
@@ -213,9 +168,11 @@ void DrawListMaker::draw_ground(const World& world, const Eye& eye, const Stage&
     if (dot(axes[2], eye.at - floor.middle) <= 0.0) continue;
     const auto from = [&](Vec3 axis) { return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0)); };
     const bool level = axes[2][1] > 1.0 - 1e-9 && std::fabs(floor.middle[1] - stage.ground) <= 1e-6 * stage.size;
-    draw_list.floors.push_back(
-        {eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]), linear(shape.color), from(axes[0]),
-         from(axes[1]), static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square), level});
+    draw_list.floors.push_back({eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]),
+                                linear(shape.color), from(axes[0]), from(axes[1]),
+                                static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square),
+                                level, nullptr});
+    if (shape.cover) cover_floor(draw_list, draw_list.floors.back(), *shape.cover, floor.middle, axes, eye.unit);
   }
 }
 
@@ -224,7 +181,11 @@ void DrawListMaker::draw_body(const World& world, BodyId id, const Eye& eye, con
   const Vec3 at = origin(world, id) + image_shift(world, world.motion_of(id).x);
   const Mat3 turn = matrix(orientation(world, id));
   if (!finite(at)) return;
-  draw_figure(figure, {at, turn}, tints_.of_body(id.slot - 1), eye, stage, draw_list);
+  const Tint tint = tints_.of_body(id.slot - 1);
+  if (figure.sprite)
+    draw_sprite(world, *figure.sprite, {at, turn}, tint.of(untinted), id.slot, eye, draw_list);
+  else
+    draw_figure(figure, {at, turn}, tint, eye, stage, draw_list);
   const std::vector<PointId>& points = world.bodies[id].points;
   for (std::size_t i = 0; i < points.size(); i++) {
     float& joint = joints_[world.points[points[i]].particle.slot - 1];
@@ -264,7 +225,10 @@ void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, c
   const Particle& particle = world.particles.at_slot(slot);
   const PointId point = particle.points[0];
   Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
+  const Cover* sprite = particle.family ? world.families[particle.family].sprite.get() : nullptr;
+  if (sprite && color == ParticleDef::usual_color) color = untinted;
   color = tints_.of_particle(slot).of(color);
+  if (sprite) return draw_sprite(world, *sprite, {at, identity33()}, color, slot, eye, draw_list);
   const auto followed = appearance_.radius(slot);
   if (followed && !(*followed > 0.0)) return;
   const double radius = followed ? *followed : drawn_radius(world, point, stage);

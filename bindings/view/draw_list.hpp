@@ -43,6 +43,18 @@ struct DrawList {
     Float3 at, normal;
     Rgb color;
   };
+  struct PictureCorner {
+    Float3 at, normal;  ///< without a normal it is shown as the picture is, where that is opaque
+    Rgb color;
+    float u, v;
+  };
+  /// What shows one picture; globes have in `second` how many round them and down.
+  struct Sheet {
+    std::shared_ptr<const Picture> picture;
+    std::vector<PictureCorner> corners, sprites;
+    std::vector<Ellipsoid> globes;
+    bool shown;  ///< in this frame
+  };
   /// A piece of a plane on which things rest, in two tones of squares.
   struct Floor {
     Float3 middle, x, y;  ///< of length 1 along the squares
@@ -50,8 +62,9 @@ struct DrawList {
     Rgb color;
     float from_x, from_y;  ///< where the middle is [squares]
     float reach;
-    float squares;  ///< in a unit
-    bool level;     ///< at the height of the ground, whose shadows fall on it
+    float squares;                           ///< in a unit
+    bool level;                              ///< at the height of the ground, whose shadows fall on it
+    std::shared_ptr<const Picture> picture;  ///< instead of squares, as wide as one; null: none
   };
   /// A soft disc of light; its color is as shown.
   struct Glow {
@@ -76,7 +89,13 @@ struct DrawList {
   std::vector<Corner> shades;  ///< shadows of the ellipsoids, on the ground
   std::vector<Glow> glows;
   std::vector<Streak> streaks;
+  std::vector<Sheet> sheets;
   Float3 lower, upper;  ///< box of all balls, bars, ellipsoids and corners
+
+  /// The one of a picture, which there is from then on.
+  Sheet& sheet_of(const std::shared_ptr<const Picture>& picture);
+  /// Forgets what was to be drawn, and pictures that were not shown.
+  void clear_sheets();
 };
 
 /// Fills a draw_list, of which one is kept so that nothing is allocated once it has grown.
@@ -91,6 +110,10 @@ class DrawListMaker {
   struct Eye;
   static void draw_figure(const Figure& figure, const Pose& pose, const Tint& tint, const Eye& eye, const Stage& stage,
                           DrawList& draw_list);
+  static void draw_sheet(const Figure::Sheet& sheet, const Pose& pose, const Tint& tint, const Eye& eye,
+                         const Stage& stage, DrawList& draw_list);
+  static void draw_sprite(const World& world, const Cover& sprite, const Pose& pose, const Color& color,
+                          std::uint32_t slot, const Eye& eye, DrawList& draw_list);
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_ground(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);

@@ -145,6 +145,7 @@ Figure make_figure(const World& world, BodyId id, const Stage& stage) {
   const Body& body = world.bodies[id];
   Figure figure;
   figure.joints.assign(body.points.size(), 0.0);
+  figure.sprite = body.sprite;
   if (!body.shapes.empty()) {
     make_solid(figure, world, body, stage);
     return figure;
@@ -189,6 +190,7 @@ const Figure& Figures::of(const World& world, BodyId id, const Stage& stage) {
     for (const float c : {point.color.r, point.color.g, point.color.b})
       hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
   }
+  hash.add(std::uint64_t{reinterpret_cast<std::uintptr_t>(body.sprite.get())});
   for (const ShapeId s : body.shapes) add_to(hash, world.shapes[s]);
   if (bodies_.size() < world.bodies.slots()) bodies_.resize(world.bodies.slots());
   Figure& figure = bodies_[id.slot - 1];

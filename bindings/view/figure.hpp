@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "base/color.hpp"
@@ -29,6 +30,24 @@ struct Figure {
     Vec3 at = zero3(), normal = zero3();
     Color color;
   };
+  struct PictureCorner {
+    Vec3 at = zero3(), normal = zero3();
+    Color color;
+    float u = 0.0f, v = 0.0f;  ///< [pictures] from its left and its upper edge
+  };
+  /// A ball with pictures round its second axis.
+  struct Globe {
+    Ellipsoid shape;
+    float around = 1.0f, down = 1.0f;  ///< [pictures] along its equator, from pole to pole
+  };
+  /// What shows one picture.
+  struct Sheet {
+    std::shared_ptr<const Picture> picture;
+    std::vector<PictureCorner> corners;  ///< three for each triangle
+    std::vector<Globe> globes;
+  };
+  std::vector<Sheet> sheets;
+  std::shared_ptr<const Cover> sprite;  ///< shown instead of all else, where it is
   std::vector<Bar> bars;
   std::vector<Ball> balls;
   std::vector<Ellipsoid> ellipsoids;
@@ -43,7 +62,7 @@ Figure make_figure(const World& world, BodyId body, const Stage& stage);
 /// One of the world's shapes; of a plane, which is drawn as a floor, nothing.
 Figure make_figure(const World& world, ShapeId shape);
 
-/// Adds a shape, in the frame of its body.
+/// Adds a shape, in the frame of its body; one with a picture to the sheets.
 void add_shape(Figure& figure, const Shape& shape);
 /// Of all that a shape's figure is made from.
 void add_to(Hash& hash, const Shape& shape);

@@ -6,6 +6,7 @@
 #include "shapes/hull.hpp"
 #include "shapes/mesh.hpp"
 #include "view/figure.hpp"
+#include "view/figure_pictures.hpp"
 
 namespace pantin {
 
@@ -111,7 +112,12 @@ struct ShapeSizes {
 
 }  // namespace
 
-void add_shape(Figure& figure, const Shape& shape) { std::visit(ShapePen{figure, shape}, shape.geometry); }
+void add_shape(Figure& figure, const Shape& shape) {
+  if (!shape.cover) return std::visit(ShapePen{figure, shape}, shape.geometry);
+  Figure bare;
+  std::visit(ShapePen{bare, shape}, shape.geometry);
+  add_covered(figure, shape, bare);
+}
 
 void add_to(Hash& hash, const Shape& shape) {
   hash.add(std::uint64_t{shape.geometry.index()});
@@ -121,6 +127,11 @@ void add_to(Hash& hash, const Shape& shape) {
     hash.add(part);
   for (const float c : {shape.color.r, shape.color.g, shape.color.b})
     hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
+  if (!shape.cover) return;
+  hash.add(std::uint64_t{reinterpret_cast<std::uintptr_t>(shape.cover->picture.get())});
+  hash.add(shape.cover->width);
+  hash.add(shape.cover->low);
+  hash.add(shape.cover->high);
 }
 
 }  // namespace pantin

@@ -9,6 +9,7 @@
 #include "view/draw_list.hpp"
 #include "view/gl.hpp"
 #include "view/panel.hpp"
+#include "view/sheets.hpp"
 #include "view/view_marks.hpp"
 
 namespace pantin {
@@ -32,6 +33,10 @@ const char* const light_definitions = "const float veil = 0.75;\n";
 
 int pixels(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
 
+Vec3 wide(float x, float y, float z) {
+  return vec(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+}
+
 std::string edge_definitions(int samples) {
   return text("const bool sampled = ", samples > 0 ? "true" : "false", ";\n");
 }
@@ -47,7 +52,7 @@ struct Renderer::Parts {
   Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
   ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
-      floor{"floor", {"common.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
+      floor{"floor", {"common.glsl", "picture.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
       shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""},
       shadow_ball{"shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""},
       shadow_bar{"shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""},
@@ -55,6 +60,7 @@ struct Renderer::Parts {
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, ellipsoids{{3, 3, 3, 3, 3, 3}, true},
       corners{{3, 3, 3}, false}, shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
       nothing{{1}, false};
+  Sheets sheets;
   Panel panel;
   DrawListMaker draw_list_maker;
   DrawList draw_list;
@@ -74,10 +80,11 @@ struct Renderer::Parts {
         target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, true),
         ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
         bar("bar", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
-        ellipsoid("ellipsoid", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
+        ellipsoid("ellipsoid", {"common.glsl", "edges.glsl", "stripes.glsl"}, edge_definitions(target->samples())),
         mesh("mesh", {"common.glsl"}, ""),
         glow("glow", {"common.glsl"}, light_definitions),
         streak("streak", {"common.glsl"}, light_definitions),
+        sheets(edge_definitions(target->samples())),
         panel(scale) {
     resolve_target();
   }
@@ -161,6 +168,7 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.shades.send(p.draw_list.shades);
   p.glows.send(p.draw_list.glows);
   p.streaks.send(p.draw_list.streaks);
+  p.sheets.send(p.draw_list.sheets);
   p.draw_shadows(camera, overlay.views.on(View::shadows));
   p.target->bind();
   const Background& colors = p.background(overlay.views);
@@ -243,18 +251,13 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   }
   shadow_mesh.set("solid", 1.0f);
   corners.draw(shadow_mesh, GL_TRIANGLES);
+  sheets.draw_shadows(shadow_mesh);
   shadow_mesh.set("solid", 0.0f);
   shades.draw(shadow_mesh, GL_TRIANGLES);
   balls.draw(shadow_ball, GL_TRIANGLES, 3);
   bars.draw(shadow_bar, GL_TRIANGLE_STRIP, 4);
   glBlendEquation(GL_FUNC_ADD);
 }
-
-namespace {
-Vec3 wide(float x, float y, float z) {
-  return vec(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-}
-}  // namespace
 
 // A little behind where they are, so that shadows fall on them.
 void Renderer::Parts::draw_floors(const Camera& camera) {
@@ -276,11 +279,10 @@ void Renderer::Parts::draw_floors(const Camera& camera) {
     floor.set("from", f.from_x, f.from_y);
     floor.set("squares", f.squares);
     floor.set("reach", f.reach);
+    floor.set("aspect", f.picture ? sheets.bind(*f.picture) : 0.0f);
     nothing.draw(floor, GL_TRIANGLE_FAN, ground_corners);
   }
-  glDisable(GL_BLEND);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  glDisable(GL_DEPTH_TEST);
+  for (const int what : {GL_BLEND, GL_POLYGON_OFFSET_FILL, GL_DEPTH_TEST}) glDisable(static_cast<GLenum>(what));
 }
 
 void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors) {
@@ -343,6 +345,7 @@ void Renderer::Parts::draw_things(const Camera& camera) {
   glCullFace(GL_FRONT);
   bars.draw(bar, GL_TRIANGLE_STRIP, 14);
   glDisable(GL_CULL_FACE);
+  if (!sheets.empty()) sheets.draw([&](const ShaderProgram& program) { set_camera(program, camera); });
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glDisable(GL_DEPTH_TEST);
 }

@@ -43,6 +43,29 @@ std::optional<Texture> Texture::read(const std::string& path) {
                  height);
 }
 
+std::optional<Texture> Texture::of_content(const std::string& content) {
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(content.data()), static_cast<int>(content.size()), &width,
+                            &height, &channels, 4),
+      stbi_image_free);
+  if (!pixels || width <= 0 || height <= 0) return {};
+  const std::span<stbi_uc> bytes(pixels.get(), 4u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < bytes.size(); i += 4)
+    for (std::size_t c = i; c < i + 3; c++) bytes[c] = static_cast<stbi_uc>((bytes[c] * bytes[i + 3] + 127) / 255);
+  Texture made(bytes, width, height);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  return made;
+}
+
+void Texture::bind() const {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, id_);
+}
+
 void* Texture::id() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id_)); }
 
 }  // namespace pantin

@@ -20,8 +20,14 @@ class Texture {
   /// A PNG's picture; none where it cannot be read.
   static std::optional<Texture> read(const std::string& path);
 
+  /// A picture of a scene, to be repeated, with smaller copies; its colours are times their opacity. None where it cannot be
+  /// made out.
+  static std::optional<Texture> of_content(const std::string& content);
+
   /// OpenGL's name of it, as Dear ImGui wants it.
   void* id() const;
+  /// For what is drawn next.
+  void bind() const;
 
  private:
   unsigned id_ = 0;
