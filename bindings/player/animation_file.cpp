@@ -79,16 +79,38 @@ class Animation::File {
     return static_cast<int>(model_.accessors.size()) - 1;
   }
 
-  int material(const Color& color) {
-    for (std::size_t i = 0; i < colors_.size(); i++)
-      if (colors_[i] == color) return static_cast<int>(i);
+  /// The texture of a picture, which is there as its file holds it.
+  int texture(const std::shared_ptr<const Picture>& picture) {
+    const auto [found, added] = textures_.try_emplace(picture, static_cast<int>(textures_.size()));
+    if (!added) return found->second;
+    std::vector<unsigned char>& data = model_.buffers[0].data;
+    tinygltf::Image image;
+    image.bufferView = static_cast<int>(model_.bufferViews.size());
+    image.mimeType = picture->content.starts_with('\x89') ? "image/png" : "image/jpeg";
+    image.name = picture->file;
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = data.size();
+    view.byteLength = picture->content.size();
+    data.insert(data.end(), picture->content.begin(), picture->content.end());
+    data.resize((data.size() + 3) / 4 * 4);  // numbers come after it
+    model_.bufferViews.push_back(view);
+    model_.images.push_back(image);
+    model_.textures.emplace_back().source = found->second;
+    return found->second;
+  }
+
+  int material(const Color& color, const std::shared_ptr<const Picture>& picture) {
+    for (std::size_t i = 0; i < looks_.size(); i++)
+      if (looks_[i].first == color && looks_[i].second == picture) return static_cast<int>(i);
     tinygltf::Material made;
     made.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b), 1.0};
+    if (picture) made.pbrMetallicRoughness.baseColorTexture.index = texture(picture);
     made.pbrMetallicRoughness.metallicFactor = 0.0;
     made.pbrMetallicRoughness.roughnessFactor = 0.6;
     model_.materials.push_back(made);
-    colors_.push_back(color);
-    return static_cast<int>(colors_.size()) - 1;
+    looks_.emplace_back(color, picture);
+    return static_cast<int>(looks_.size()) - 1;
   }
 
   void add_mesh(const Mesh& mesh) {
@@ -96,9 +118,12 @@ class Animation::File {
     for (const Mesh::Patch& patch : mesh.patches) {
       tinygltf::Primitive primitive;
       primitive.mode = TINYGLTF_MODE_TRIANGLES;
-      primitive.material = material(patch.color);
+      primitive.material = material(patch.color, patch.picture);
       primitive.attributes["POSITION"] = add_numbers(patch.positions, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
       primitive.attributes["NORMAL"] = add_numbers(patch.normals, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+      if (patch.picture)
+        primitive.attributes["TEXCOORD_0"] =
+            add_numbers(patch.places, TINYGLTF_TYPE_VEC2, TINYGLTF_TARGET_ARRAY_BUFFER);
       primitive.indices = add_numbers(patch.indices, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
       made.primitives.push_back(primitive);
     }
@@ -157,7 +182,8 @@ class Animation::File {
   const Animation& from_;
   std::uint64_t frames_;
   tinygltf::Model model_;
-  std::vector<Color> colors_;                                     // of the materials
+  std::vector<std::pair<Color, std::shared_ptr<const Picture>>> looks_;  // of the materials
+  std::map<std::shared_ptr<const Picture>, int> textures_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, int> times_;  // accessors, by first and last frame
 };
 

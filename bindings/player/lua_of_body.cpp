@@ -25,6 +25,11 @@ std::string lua_of_turn(const Quat& q) {
   return text("quat(", lua_of(axis / sine), ", ", lua_of(2.0 * std::atan2(sine, q.w)), ")");
 }
 
+std::string lua_of_cover(const Cover& cover) {
+  const std::string file = quoted(cover.picture->file);
+  return cover.width > 0.0 ? text("{ file = ", file, ", width = ", lua_of(cover.width), " }") : file;
+}
+
 /// As a script would write it; nothing where it has no text.
 std::optional<std::string> lua_of_value(const fields::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return lua_of(*number);
@@ -105,13 +110,15 @@ std::optional<std::string> lua_of_hull(const World& world, const Shape& shape) {
 /// Several hulls of one material, as those of a polygon that is not convex.
 std::optional<Form> form_of_hulls(const World& world, const Body& body) {
   const Material& first = world.shapes[body.shapes[0]].material;
+  const auto picture_of = [](const Shape& shape) { return shape.cover ? shape.cover->picture : nullptr; };
   std::string list;
   for (const ShapeId id : body.shapes) {
     const Shape& shape = world.shapes[id];
     const std::optional<std::string> hull = lua_of_hull(world, shape);
     const Material& m = shape.material;
     const bool alike = m.density == first.density && m.friction == first.friction &&
-                       m.restitution == first.restitution && !shape.sensor;
+                       m.restitution == first.restitution && !shape.sensor &&
+                       picture_of(shape) == picture_of(world.shapes[body.shapes[0]]);
     if (!hull || !alike) return {};
     list += text(list.empty() ? "" : ", ", *hull);
   }
@@ -230,7 +237,9 @@ LuaOfBody lua_of_body(const World& world, BodyId id) {
     lua.options = form->options;
     lua.color = fields::text_of(shape.color);
     add_material(world, body, lua.options);
+    if (shape.cover) lua.options.push_back("picture = " + lua_of_cover(*shape.cover));
   }
+  if (body.sprite) lua.options.push_back("sprite = " + lua_of_cover(*body.sprite));
   if (!body.name.empty()) lua.options.push_back("name = " + quoted(body.name));
   add_points(world, id, lua.options);
   const std::optional<Quat> frame = given_frame(world, id);

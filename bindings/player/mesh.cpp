@@ -62,12 +62,30 @@ void add_ellipsoid(Mesh::Patch& patch, const Figure::Ellipsoid& ellipsoid) {
       [&](Vec3 d) { return (cross(a[1], a[2]) * d[0] + cross(a[2], a[0]) * d[1]) * sign + cross(a[0], a[1]) * d[2]; });
 }
 
+void put_corner(Mesh::Patch& patch, Vec3 at, Vec3 normal) {
+  patch.indices.push_back(vertices(patch));
+  put_vertex(patch.positions, at);
+  put_vertex(patch.normals, normal);
+}
+
+/// Its rows of vertices are circles about its second axis, each from the back to the back.
+void add_globe(Mesh::Patch& patch, const Figure::Globe& globe) {
+  const Mat3& a = globe.shape.axes;
+  const std::size_t first = patch.positions.size() / 3;
+  add_ellipsoid(patch, {globe.shape.at, {{-a[2], -a[0], a[1]}}, globe.shape.color});
+  for (std::size_t i = first; i < patch.positions.size() / 3; i++) {
+    const std::size_t row = (i - first) / (meridians + 1), k = row > parallels / 2 ? row - 1 : row;
+    patch.places.push_back(globe.around * static_cast<float>((i - first) % (meridians + 1)) / meridians);
+    patch.places.push_back(globe.down * static_cast<float>(k) / parallels);
+  }
+}
+
 }  // namespace
 
-Mesh::Patch& Mesh::patch(const Color& color) {
+Mesh::Patch& Mesh::patch(const Color& color, const std::shared_ptr<const Picture>& picture) {
   for (Patch& p : patches)
-    if (p.color == color) return p;
-  patches.push_back({color, {}, {}, {}});
+    if (p.color == color && p.picture == picture) return p;
+  patches.push_back({color, picture, {}, {}, {}, {}});
   return patches.back();
 }
 
@@ -76,11 +94,14 @@ Mesh body_mesh(const Figure& figure) {
   for (const Figure::Bar& bar : figure.bars) add_capsule(mesh.patch(bar.color), bar.from, bar.to, bar.radius);
   for (const Figure::Ball& ball : figure.balls) add_capsule(mesh.patch(ball.color), ball.at, ball.at, ball.radius);
   for (const Figure::Ellipsoid& ellipsoid : figure.ellipsoids) add_ellipsoid(mesh.patch(ellipsoid.color), ellipsoid);
-  for (const Figure::Corner& corner : figure.corners) {
-    Mesh::Patch& patch = mesh.patch(corner.color);
-    patch.indices.push_back(vertices(patch));
-    put_vertex(patch.positions, corner.at);
-    put_vertex(patch.normals, corner.normal);
+  for (const Figure::Corner& corner : figure.corners) put_corner(mesh.patch(corner.color), corner.at, corner.normal);
+  for (const Figure::Sheet& sheet : figure.sheets) {
+    for (const Figure::PictureCorner& corner : sheet.corners) {
+      Mesh::Patch& patch = mesh.patch(corner.color, sheet.picture);
+      put_corner(patch, corner.at, corner.normal);
+      patch.places.insert(patch.places.end(), {corner.u, corner.v});
+    }
+    for (const Figure::Globe& globe : sheet.globes) add_globe(mesh.patch(globe.shape.color, sheet.picture), globe);
   }
   return mesh;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "view/figure.hpp"
@@ -8,16 +9,17 @@ namespace pantin::player {
 
 /// Triangles, for programs that show them.
 struct Mesh {
-  /// Of one colour; `positions` [m] and `normals` are three numbers a vertex, `indices` three a triangle, counter-clockwise
-  /// from outside.
+  /// Of one colour, times a picture where there is one; `positions` [m] and `normals` are three numbers a vertex, `places`
+  /// two, on the picture, `indices` three a triangle, counter-clockwise from outside.
   struct Patch {
     Color color;
-    std::vector<float> positions, normals;
+    std::shared_ptr<const Picture> picture;  ///< null: none, and no places
+    std::vector<float> positions, normals, places;
     std::vector<std::uint32_t> indices;
   };
   std::vector<Patch> patches;
 
-  Patch& patch(const Color& color);
+  Patch& patch(const Color& color, const std::shared_ptr<const Picture>& picture = nullptr);
 };
 
 /// In the body's frame, [m].

@@ -6,6 +6,7 @@
 #include "bindings/exported.hpp"
 #include "player/animation.hpp"
 #include "support/process.hpp"
+#include "support/sources.hpp"
 
 using namespace pantin;
 using namespace pantin::exported;
@@ -85,4 +86,26 @@ TEST_CASE("animation: a radius that follows the age does so") {
   const std::vector<double> size = last_key(support::read_file(folder / "a.assxml"), "particle 1", "Scaling");
   REQUIRE(size.size() == 3);
   CHECK(size[0] == Approx(1.1).epsilon(1e-5));
+}
+
+TEST_CASE("animation: pictures of shapes are in it, each once, with places on it") {
+  const Folder folder;
+  SceneOptions options;
+  options.home = sources::folder();
+  const auto scene = lua::open_scene_text(R"(
+    scene:box { size = 1, picture = "crate.png" }
+    scene:ball { radius = 1, at = vec(3, 0, 0), picture = "beach_ball.png" }
+    scene:capsule { radius = 0.3, length = 1, at = vec(6, 0, 0), picture = { file = "crate.png", width = 0.5 } }
+    scene:ball { radius = 1, at = vec(9, 0, 0) })",
+                                          "test.lua", ".", options);
+  Animation animation(scene->world(), 30.0, 1.0);
+  animation.add_frames(scene->world());
+  animation.write(folder / "a.glb", "pictures");
+  const std::string info = support::finish({{"assimp", "info", folder / "a.glb"}, {}, {}}).out;
+  CHECK(std::regex_search(info, std::regex("Textures \\(embed\\.\\): +2\n")));
+  REQUIRE(support::finish({{"assimp", "dump", folder / "a.glb", folder / "a.assxml"}, {}, {}}).code == 0);
+  const std::string dump = support::read_file(folder / "a.assxml");
+  std::size_t places = 0;
+  for (std::size_t at = 0; (at = dump.find("<TextureCoords ", at)) != std::string::npos; at++) places++;
+  CHECK(places == 3);
 }

@@ -291,3 +291,25 @@ TEST_CASE("saved scene: ten thousand things are saved and opened again") {
   CHECK(saved.left_out == std::vector<std::string>());
   CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
 }
+
+TEST_CASE("saved scene: the picture and the sprite of what a hand copied are written") {
+  Built built(empty + R"(
+    scene:box { size = 1, at = vec(0, 3, 0), picture = { file = "bricks.png", width = 0.5 }, color = "#ff0000",
+      sprite = { file = "bird.png", width = 2 } }
+    scene:ball { radius = 0.5, at = vec(2, 3, 0), picture = "beach_ball.png" }
+  )");
+  for (const BodyId body : built.world().bodies.ids()) {
+    Command copy;
+    copy.kind = Kind::make;
+    copy.name = "copy";
+    copy.thing = body;
+    copy.position = built.world().motion_of(body).x + vec(0, 4, 0);
+    built.send(copy);
+  }
+  const player::SavedScene saved = built.save();
+  CHECK(saved.left_out == std::vector<std::string>());
+  CHECK_THAT(built.added(saved), Contains("picture = { file = \"bricks.png\", width = 0.5 }") &&
+                                     Contains("sprite = { file = \"bird.png\", width = 2 }") &&
+                                     Contains("picture = \"beach_ball.png\""));
+  CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
+}
