@@ -7,6 +7,7 @@
 #include "choreography/hands.hpp"
 #include "lua/scene/open.hpp"
 #include "player/confine.hpp"
+#include "player/controls.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -85,6 +86,7 @@ bool Player::frame() {
   give_keys_to_scene();
   if (!browser_.shown() && !renderer_.writing()) steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
+  give_mouse(*scene_, viewport(), !browser_.shown(), gestures_, waiting_);
   reload();
   take_keys();
   take_view_keys(gestures_, views_, camera_);
@@ -109,8 +111,7 @@ void Player::choose_followed() {
     const World& world = scene_->world();
     const PointId point =
         pick_point(world, renderer_.stage(), camera_, event.x, event.y, renderer_.width(), renderer_.height());
-    const Viewport viewport{world, renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
-    const auto on_shape = pick_shape(viewport, event.x, event.y);
+    const auto on_shape = pick_shape(viewport(), event.x, event.y);
     AnyId thing;
     if (on_shape && on_shape->body)
       thing = on_shape->body;
@@ -224,8 +225,7 @@ void Player::fill(Overlay& overlay) {
     overlay.buttons = scene_->buttons();
     return;
   }
-  edge_arrows_.mark({scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()},
-                    overlay.marks);
+  edge_arrows_.mark(viewport(), overlay.marks);
   status_.write(scene_->world(), pacing_, {overlay.pace, paused_, panels_.shows("Solver") || views_.on(View::errors)},
                 overlay.status);
   if (scene_->finished()) overlay.status[1] = "finished";

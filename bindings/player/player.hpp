@@ -70,6 +70,7 @@ class Player {
   std::string title() const;
   void act(const Actions& actions);
   void take_keys();
+  Viewport viewport() const;
   Actions take_hands(double elapsed);
   std::int32_t new_hand();
   bool presses_in_scene() const;

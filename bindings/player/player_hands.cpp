@@ -15,6 +15,10 @@ constexpr std::chrono::seconds played_for{20}, asked_for{10};  // before it is t
 
 }  // namespace
 
+Viewport Player::viewport() const {
+  return {scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
+}
+
 Actions Player::take_hands(double elapsed) {
   const PlayerInput::Frame frame{
       scene_->world(),         renderer_.stage(), renderer_.width(), renderer_.height(), renderer_.pointer_on_panel(),
@@ -111,7 +115,9 @@ std::string Player::hint() const {
     return "";
   const std::set<std::string> taken = keys_of_scene();
   const Tool& tool = hands_.tool.tool();
+  const bool is_mouse_taken = taken.contains("mouse.left");
   std::string hint = is_second                            ? "to show it to somebody"
+                     : is_mouse_taken                     ? "the mouse is the scene's"
                      : hands_.tool.kind == ToolKind::drag ? "drag a point, and throw it"
                                                           : text(tool.name, ": ", tool.help);
   auto add = [&, between = is_second ? ": " : "; "](const char* key, const char* does) mutable {
@@ -124,7 +130,7 @@ std::string Player::hint() const {
     add(key_for(KeyUse::film), "films what is seen");
     return hint;
   }
-  if (hands_.tool.kind != ToolKind::cut)
+  if (hands_.tool.kind != ToolKind::cut && !is_mouse_taken)
     add(key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)), "cuts by a stroke");
   add(key_for(KeyUse::pause), "pauses");
   add(key_for(KeyUse::slower), "slows");
@@ -156,8 +162,7 @@ void Player::bring_back() {
 }
 
 void Player::mark_hands(Overlay& overlay) const {
-  const Viewport viewport{scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
-  hands_.add_marks(gestures_, viewport, renderer_.pointer_on_panel(), overlay.marks);
+  hands_.add_marks(gestures_, viewport(), renderer_.pointer_on_panel(), overlay.marks);
 }
 
 }  // namespace pantin::player

@@ -24,5 +24,7 @@ std::span<const PadControl> pad_controls();
 const PadControl* pad_control(std::string_view name);
 /// What begins the name of what a gamepad has.
 inline constexpr std::string_view pad_prefix = "pad.";
+/// What begins the name of what the mouse has: "mouse.position", "mouse.left", "mouse.middle", "mouse.right", "mouse.wheel".
+inline constexpr std::string_view mouse_prefix = "mouse.";
 
 }  // namespace pantin

@@ -56,8 +56,10 @@ class Scene {
   virtual const std::vector<SceneParameter>& parameters() const = 0;
   /// Applies a value live and returns true, or returns false: the scene must be opened again with it.
   virtual bool set_parameter(const std::string& name, const SceneValue& value) = 0;
-  virtual std::vector<std::string> keys() const = 0;                ///< that the script asked for by their names
-  virtual std::vector<std::string> controls() const { return {}; }  ///< of keys and gamepads, that the script has read
+  virtual std::vector<std::string> keys() const = 0;  ///< that the script asked for by their names
+  virtual std::vector<std::string> controls() const {
+    return {};
+  }  ///< of keys, gamepads and the mouse, that the script read
   virtual std::vector<std::string> behaviours() const { return {}; }  ///< where the script has what acts in each step
   virtual const std::vector<std::string>& buttons() const = 0;  ///< names; press one by a Command of the world's input
   virtual const std::map<std::string, SceneValue>& results() const = 0;

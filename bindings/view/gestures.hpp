@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -45,7 +46,7 @@ struct Gestures {
   std::vector<std::string> held;      ///< keys that are down
   std::string text;                   ///< typed since the last poll, UTF-8
   std::map<std::string, double> pad;  ///< what is held of gamepads, by names of scene/controls.hpp; no zeros
-  std::vector<std::string> of_scene;  ///< of these, what is the scene's alone; kept from poll to poll
+  std::vector<std::string> of_scene;  ///< of these and "mouse.left" …, what is the scene's alone; kept
   std::map<PointerId, Stick> sticks;  ///< of the gamepads that are plugged in
   std::vector<std::string> notes;     ///< to be told: a gamepad came or went
   bool shift = false, control = false;
@@ -53,6 +54,8 @@ struct Gestures {
   bool resized = false;
   bool quit = false;
 
+  /// With its left button, or a finger, no hand takes hold.
+  bool scene_has_mouse() const { return std::ranges::count(of_scene, "mouse.left") > 0; }
   /// Takes out keys that are for something else.
   void erase_keys(const auto& taken) {
     for (std::size_t i = 0; i < keys.size();) {

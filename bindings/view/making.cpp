@@ -211,6 +211,11 @@ std::optional<double> depth_of_plane(const Viewport& viewport, double x, double 
   return std::isfinite(depth) && depth > 0.0 ? std::optional(depth) : std::nullopt;
 }
 
+Vec3 place_pointed_at(const Viewport& viewport, double x, double y) {
+  const Vec3 place = place_shown(viewport, x, y, viewport.camera.distance);
+  return viewport.world.plane.beside(place, usual_height(viewport.world).value_or(zero3()));
+}
+
 double grid_of(const Viewport& viewport) { return 10.0 * round_step(viewport.stage.unit); }
 
 Vec3 place_to_make(const Viewport& viewport, double x, double y, bool snaps) {

@@ -262,7 +262,7 @@ void PlayerInput::move_hands(const Work& work) {
                             tool.kind != ToolKind::heat && tool.kind != ToolKind::make;
   if (use.active())
     highlight_ = use.point();
-  else if (takes_points && !work.frame.on_panel)
+  else if (takes_points && !work.frame.on_panel && !work.gestures.scene_has_mouse())
     highlight_ = pick_held(work.viewport, mouse->second.x, mouse->second.y).point;
 }
 
@@ -270,6 +270,7 @@ void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, 
                             std::vector<Mark>& marks) const {
   selection_.add_marks(viewport, marks);
   for (const auto& [id, pointer] : gestures.pointers) {
+    if (id < key_cursor && gestures.scene_has_mouse()) continue;
     const auto found = holds_.find(id);
     const bool draws = found != holds_.end() && tool.is_polygon() && !found->second.use.corners().empty();
     if (draws || (found != holds_.end() && found->second.use.active())) {

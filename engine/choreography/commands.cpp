@@ -1,6 +1,8 @@
 #include "choreography/commands.hpp"
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "choreography/bring_back.hpp"
 #include "choreography/build_by_hand.hpp"
@@ -102,6 +104,26 @@ void control(World& world, const Command& c) {
   }
 }
 
+void set_down(MouseButton& button, bool down) {
+  button.pressed |= down && !button.held;
+  button.released |= !down && button.held;
+  button.held = down;
+}
+
+void move_mouse(World& world, const Command& c) {
+  require_finite("mouse", "position", c.position, "m");
+  require_finite("mouse", "the wheel", c.value, "notches");
+  Mouse now = world.mouse;
+  std::istringstream names(c.name);
+  std::set<std::string> down;
+  for (std::string name; names >> name; down.insert(name))
+    require(now.button(name) != nullptr, "mouse: there is no button '", name, "'");
+  for (const char* name : {"left", "middle", "right"}) set_down(*now.button(name), down.contains(name));
+  now.position = c.position;
+  now.wheel += c.value;
+  world.mouse = now;
+}
+
 void carry_out(World& world, const Command& c) {
   switch (c.kind) {
     case Command::Kind::grab: return grab_by_hand(world, c);
@@ -120,6 +142,7 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::drive: return drive_by_hand(world, c);
     case Command::Kind::control: return control(world, c);
     case Command::Kind::bring: return bring_back(world, c);
+    case Command::Kind::mouse: return move_mouse(world, c);
   }
 }
 

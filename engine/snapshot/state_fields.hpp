@@ -107,10 +107,10 @@ void visit_own(A& a, T& value) { StateFields::inside(a, value); }
 
 inline auto own_fields(WorldData& w) {
   return std::tie(w.settings, w.time, w.steps, w.step_origin, w.step_count, w.stage, w.instant, w.kick_error,
-                  w.mean_error, w.error_span, w.sub_steps, w.contacts, w.choreography, w.hands, w.controls, w.input,
-                  w.notices, w.breaks, w.log, w.probes, w.random, w.loose_bodies, w.loose_points, w.loose_masses,
-                  w.given_by_laws, w.stiffness_unknown, w.ledger, w.nonconservative_work, w.work_check, w.stats,
-                  w.error, w.worst, w.work, w.start_energy, w.largest_kinetic, w.worst_energy, w.mortals,
+                  w.mean_error, w.error_span, w.sub_steps, w.contacts, w.choreography, w.hands, w.controls, w.mouse,
+                  w.input, w.notices, w.breaks, w.log, w.probes, w.random, w.loose_bodies, w.loose_points,
+                  w.loose_masses, w.given_by_laws, w.stiffness_unknown, w.ledger, w.nonconservative_work, w.work_check,
+                  w.stats, w.error, w.worst, w.work, w.start_energy, w.largest_kinetic, w.worst_energy, w.mortals,
                   w.saved_points, w.saved_motion, w.slopes, w.last_actor, w.last_act, w.pushed, w.locked, w.unchecked,
                   w.trouble, w.failure);
 }

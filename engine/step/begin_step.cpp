@@ -4,7 +4,18 @@
 
 namespace pantin::phases {
 
+namespace {
+
+/// What the mouse did in the last step is over.
+void forget_clicks(Mouse& mouse) {
+  mouse.wheel = 0.0;
+  for (MouseButton* button : {&mouse.left, &mouse.middle, &mouse.right}) button->pressed = button->released = false;
+}
+
+}  // namespace
+
 void begin_step(World& world) {
+  forget_clicks(world.mouse);
   const bool moved = !world.hands.empty() || !world.input.moves.empty() || !world.input.commands.empty();
   if (world.steps > 0 && !moved) return;
   const Timed timed(world.profile, Phase::begin_step);

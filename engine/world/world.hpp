@@ -172,9 +172,10 @@ struct WorldData : Model {
   Choreography choreography;
   std::vector<Hand> hands;
   std::map<std::string, double> controls;  ///< what is held of keys and gamepads, -1 to 1, by name; no zeros
-  StepInput input;                         ///< for the coming step; emptied by it
-  std::vector<Notice> notices;             ///< of the last step, told in the next; emptied then
-  std::deque<Break> breaks;                ///< the latest `most_breaks`, oldest first
+  Mouse mouse;
+  StepInput input;              ///< for the coming step; emptied by it
+  std::vector<Notice> notices;  ///< of the last step, told in the next; emptied then
+  std::deque<Break> breaks;     ///< the latest `most_breaks`, oldest first
   std::vector<LogLine> log;
   std::vector<Probe> probes;
   Random random;

@@ -872,6 +872,21 @@ local HeldKeys = {}
 ---@field [string] number|boolean [1] of an axis or a button
 local Gamepad = {}
 
+---The pointer: the mouse, or a finger, which is its left button: `if scene.mouse.left_pressed then scene:ball { radius = 0.2, at = scene.mouse.position } end`. A button that a script reads is the scene's and not the window's from then on: with the left one no hand takes hold, with the right one the view does not turn, and with the wheel it does not zoom. To know where the pointer is takes nothing from the window. Without a window there is none, unless a test or a recording has one.
+---@class Mouse
+---@field position vec? [m] the place that it points at: in the scene's plane, else in that through what the camera looks at, facing it; nil where there is no pointer (read only)
+---@field left boolean whether it is down (read only)
+---@field left_pressed boolean whether it went down in this step (read only)
+---@field left_released boolean whether it went up in this step (read only)
+---@field middle boolean whether it is down (read only)
+---@field middle_pressed boolean whether it went down in this step (read only)
+---@field middle_released boolean whether it went up in this step (read only)
+---@field right boolean whether it is down (read only)
+---@field right_pressed boolean whether it went down in this step (read only)
+---@field right_released boolean whether it went up in this step (read only)
+---@field wheel number [1] notches that it was turned in this step, up > 0 (read only)
+local Mouse = {}
+
 ---Where the scene is seen from. A script may give it all at once, `scene.camera = { at = …, look_at = … }`, or change one of these at any time: the camera then goes where they say, in the time of `ease`, and between such changes it is whoever watches who moves it.
 ---@class Camera
 ---@field at vec? [m] where it is (default from where all is seen)
@@ -918,6 +933,7 @@ local Snapshot = {}
 ---@field draw Draw draws over the scene for one frame (read only)
 ---@field keys HeldKeys keys that are held (read only)
 ---@field pad Gamepad sticks and buttons of a gamepad (read only)
+---@field mouse Mouse where the pointer is, and what of it is held (read only)
 local Scene = {}
 ---Makes a free particle of one point.
 ---```lua
@@ -1441,7 +1457,7 @@ function Scene:open(file) end
 ---@field finished boolean whether it called scene:finish() (read only)
 ---@field drawn integer lines, arrows, texts and points that it drew in the last step (read only)
 ---@field sounds string[] names of the sounds that began in the last step (read only)
----@field taken string keys and what of gamepads it has read, which are its own (read only)
+---@field taken string keys and what of gamepads and the mouse it has read, which are its own (read only)
 ---@field next string? the file that it opened by scene:open (read only)
 local OpenedScene = {}
 ---Steps on for a time.
@@ -1471,6 +1487,14 @@ function OpenedScene:hold(key, how_far) end
 ---```
 ---@param key string
 function OpenedScene:release(key) end
+---Points with the mouse from the next step on, until the next call.
+---```lua
+---opened:mouse { at = vec(1, 2, 0), left = true }
+---opened:advance(0.1)
+---opened:mouse()
+---```
+---@param options? MouseOptions
+function OpenedScene:mouse(options) end
 ---The present number of a probe.
 ---```lua
 ---expect(opened:read("height")):near(1, 1e-9)
@@ -1708,6 +1732,13 @@ function OpenedScene:restore(snapshot) end
 ---@class SoundOptions
 ---@field volume? number [1] from 0 to 1 (default `1`)
 ---@field pitch? number [1] times the usual frequency, from 1/8 to 8 (default `1`)
+
+---@class MouseOptions
+---@field at? vec [m] what it points at (default where it was)
+---@field left? boolean whether this button is down (default `false`)
+---@field middle? boolean the same (default `false`)
+---@field right? boolean the same (default `false`)
+---@field wheel? number [1] notches that it turns in that step, up > 0 (default `0`)
 
 ---@class ParamOptions
 ---@field min? number [its own] (default none)

@@ -171,7 +171,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
       Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),
       Snapshot = scene:snapshot(), Structure = structure.cube(), Shape = shape.ball(1), Collider = scene:floor(),
-      Draw = scene.draw, HeldKeys = scene.keys, Gamepad = scene.pad, Camera = scene.camera, Saved = scene.saved, Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
+      Draw = scene.draw, HeldKeys = scene.keys, Gamepad = scene.pad, Mouse = scene.mouse, Camera = scene.camera, Saved = scene.saved, Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
     local spring, drag = force.spring { stiffness = 1 }, force.drag { linear = 1 }
     things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)
     things.Interaction = scene:interact(things.Family, things.Family, force.gravitation {})

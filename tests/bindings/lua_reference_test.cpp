@@ -194,7 +194,7 @@ TEST_CASE("what the annotations call a thing is what calls accept as one") {
       Field = scene:field(scene, force.drag { linear = 1 }), Emitter = scene:emitter { rate = 1 },
       Event = scene:at(1, type), Hand = scene:hand(), Subscription = scene:on("step", type), Structure = structure.cube(),
       Shape = shape.ball(1), Collider = scene:floor(), Draw = scene.draw, HeldKeys = scene.keys,
-      Gamepad = scene.pad, Camera = scene.camera, Saved = scene.saved, Snapshot = scene:snapshot(), Scene = scene }
+      Gamepad = scene.pad, Mouse = scene.mouse, Camera = scene.camera, Saved = scene.saved, Snapshot = scene:snapshot(), Scene = scene }
     local thing = things.)";
   for (const lua::Type* type : lua::all_types()) {
     const std::string name = type->name;

@@ -133,6 +133,50 @@ test("a scene may open another when the step is done", function()
   expect(function() open_text [[scene:open("level2")]] end):fails("must end in .lua")
 end)
 
+test("the mouse is told what a test says, and without one there is none", function()
+  local code = [[
+    local pressed, released = 0, 0
+    scene:on("step", function()
+      local mouse = scene.mouse
+      if mouse.left_pressed then pressed = pressed + 1 end
+      if mouse.left_released then released = released + 1 end
+      scene:result("there", mouse.position ~= nil) scene:result("left", mouse.left) scene:result("right", mouse.right)
+      scene:result("x", mouse.position and mouse.position.x or 0) scene:result("wheel", mouse.wheel)
+      scene:result("pressed", pressed) scene:result("released", released)
+    end)
+  ]]
+  local scene = open_text(code)
+  scene:step()
+  expect(scene:result("there")):equal(false)
+  expect(scene:result("left")):equal(false)
+  expect(scene.taken):equal("mouse.left, mouse.position, mouse.right, mouse.wheel")
+  scene:mouse { at = vec(3, 2, 1), left = true, wheel = 2 }
+  scene:step()
+  expect(scene:result("x")):equal(3)
+  expect(scene:result("left")):is_true()
+  expect(scene:result("right")):equal(false)
+  expect(scene:result("wheel")):equal(2)
+  local held = scene:snapshot()
+  scene:step() scene:step()
+  expect(scene:result("wheel")):equal(0)
+  expect(scene:result("pressed")):equal(1)
+  scene:mouse { right = true }
+  scene:step() scene:step()
+  expect(scene:result("x")):equal(3)
+  expect(scene:result("left")):equal(false)
+  expect(scene:result("right")):is_true()
+  expect(scene:result("released")):equal(1)
+  scene:restore(held)
+  scene:step()
+  expect(scene:result("left")):is_true()
+  expect(scene:result("pressed")):equal(1)
+  expect(function() scene:mouse { at = vec(0, 0 / 0, 0) } end):fails("at must be a finite vec")
+  expect(function() scene:mouse { wheel = 1 / 0 } end):fails("wheel must be")
+  expect(function() scene:mouse { middel = true } end):fails("Did you mean 'middle'?")
+  expect(function() open_text [[scene.mouse.left = true]] end):fails("mouse: left can be read, not written")
+  expect(function() open_text [[print(scene.mouse.lef)]] end):fails("Did you mean 'left'?")
+end)
+
 test("what is saved stays when the state goes back", function()
   local scene = open_text [[
     assert(scene.saved.best == nil)

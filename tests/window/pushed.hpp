@@ -39,6 +39,24 @@ inline void tap(SDL_Keycode code) {
   key(code, false);
 }
 
+/// Where it is as parts of the window.
+inline void finger(Uint32 type, SDL_FingerID id, double x, double y) {
+  SDL_Event event = {};
+  event.type = type;
+  event.tfinger.touchId = 1;
+  event.tfinger.fingerId = id;
+  event.tfinger.x = static_cast<float>(x);
+  event.tfinger.y = static_cast<float>(y);
+  SDL_PushEvent(&event);
+}
+
+inline void wheel(int notches) {
+  SDL_Event event = {};
+  event.type = SDL_MOUSEWHEEL;
+  event.wheel.y = notches;
+  SDL_PushEvent(&event);
+}
+
 inline void type(const std::string& words) {
   for (const char c : words) {
     SDL_Event event = {};

@@ -212,6 +212,13 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field volume? number [1] from 0 to 1 (default `1`)
 ---@field pitch? number [1] times the usual frequency, from 1/8 to 8 (default `1`)
 
+---@class MouseOptions
+---@field at? vec [m] what it points at (default where it was)
+---@field left? boolean whether this button is down (default `false`)
+---@field middle? boolean the same (default `false`)
+---@field right? boolean the same (default `false`)
+---@field wheel? number [1] notches that it turns in that step, up > 0 (default `0`)
+
 ---@class ParamOptions
 ---@field min? number [its own] (default none)
 ---@field max? number [its own] (default none)

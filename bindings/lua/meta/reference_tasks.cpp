@@ -79,6 +79,7 @@ const std::vector<ReferenceTasks> all = {
      {{"grab things by script", {"Scene:hand", "Hand:grab", "Hand:release"}},
       {"buttons, keys and parameters", {"Scene:button", "Scene:on", "Scene:param", "Keys"}},
       {"keys that are held, and gamepads", {"Scene.keys", "HeldKeys", "Scene.pad", "Gamepad"}},
+      {"where the pointer is, and its buttons", {"Scene.mouse", "Mouse"}},
       {"sounds", {"Scene:sound", "Scene.contact_sounds"}},
       {"the next level, and a score that lasts", {"Scene:open", "Scene.saved", "Saved"}},
       {"the camera, the title, the pace and a dark ground",

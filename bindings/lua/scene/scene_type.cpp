@@ -334,6 +334,8 @@ Type make() {
   };
   once("keys", "HeldKeys", "keys that are held", [](const Self& s) { push_one(s, Kind::held_keys); });
   once("pad", "Gamepad", "sticks and buttons of a gamepad", [](const Self& s) { push_one(s, Kind::gamepad); });
+  once("mouse", "Mouse", "where the pointer is, and what of it is held",
+       [](const Self& s) { push_one(s, Kind::mouse); });
   for (const auto& methods :
        {making(), touch_methods(), constraining(), forcing(), choreographing(), telling(), playing()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());

@@ -68,6 +68,20 @@ int release_control(lua_State* state) {
   return 0;
 }
 
+int point_mouse(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "mouse");
+  const Options o(state, 2, "mouse", {"at", "left", "middle", "right", "wheel"});
+  Command command;
+  command.kind = Command::Kind::mouse;
+  const std::optional<Vec3> at = o.vector("at", "m");
+  command.position = at ? *at : self.world.mouse.position.value_or(zero3());
+  command.value = o.number("wheel", "notches").value_or(0.0);
+  for (const char* button : {"left", "middle", "right"})
+    if (o.boolean(button).value_or(false)) command.name += text(command.name.empty() ? "" : " ", button);
+  self.world.input.commands.push_back(command);
+  return 0;
+}
+
 int read_probe(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "read");
   const std::string name = check_text(state, 2, "read", "argument 1, the probe,");
@@ -115,7 +129,8 @@ Type make() {
                            }
                          },
                          nullptr});
-  type.fields.push_back({"taken", "string", "", "keys and what of gamepads it has read, which are its own",
+  type.fields.push_back({"taken", "string", "",
+                         "keys and what of gamepads and the mouse it has read, which are its own",
                          [](const Self& s) {
                            const std::vector<std::string> names(s.script.controls.begin(), s.script.controls.end());
                            lua_pushstring(s.state, joined(names).c_str());
@@ -141,6 +156,11 @@ Type make() {
        "opened:hold(\"space\")\n"
        "opened:advance(0.1)\n"
        "opened:release(\"space\")"},
+      {"mouse", guard<point_mouse>, "options?: MouseOptions", "",
+       "Points with the mouse from the next step on, until the next call.",
+       "opened:mouse { at = vec(1, 2, 0), left = true }\n"
+       "opened:advance(0.1)\n"
+       "opened:mouse()"},
       {"read", guard<read_probe>, "name: string", "number", "The present number of a probe.",
        "expect(opened:read(\"height\")):near(1, 1e-9)"},
       {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave.",

@@ -142,6 +142,7 @@ const Type& type_of(Kind kind) {
     case Kind::draw: return draw_type();
     case Kind::held_keys: return held_keys_type();
     case Kind::gamepad: return gamepad_type();
+    case Kind::mouse: return mouse_type();
     case Kind::camera: return camera_type();
     case Kind::saved: return saved_type();
     case Kind::snapshot: return snapshot_type();

@@ -108,6 +108,7 @@ const Type& shape_type();
 const Type& draw_type();
 const Type& held_keys_type();
 const Type& gamepad_type();
+const Type& mouse_type();
 const Type& camera_type();
 const Type& saved_type();
 const Type& snapshot_type();

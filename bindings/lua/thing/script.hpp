@@ -77,7 +77,7 @@ struct Script : ScriptHost, ScriptData {
 
   Made made;                                         ///< by the file, where it may change
   std::set<std::string> fixed;                       ///< settings that `--set` gave: what the file assigns is ignored
-  std::set<std::string> controls;                    ///< of keys and gamepads, that were read: the scene's from then on
+  std::set<std::string> controls;                    ///< of keys, gamepads and the mouse, that were read: the scene's
   std::uint64_t subscribed = 0;                      ///< serial of the last subscription
   int telling = 0;                                   ///< calls that go through the subscriptions now
   std::shared_ptr<const ScriptSnapshot> start;       ///< before the first step, where a file speaks of `reset`

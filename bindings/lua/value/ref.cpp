@@ -35,6 +35,7 @@ std::array<std::string, kind_count> words() {
   set(Kind::draw, "scene.draw");
   set(Kind::held_keys, "scene.keys");
   set(Kind::gamepad, "scene.pad");
+  set(Kind::mouse, "scene.mouse");
   set(Kind::camera, "scene.camera");
   set(Kind::saved, "scene.saved");
   set(Kind::snapshot, "a snapshot");
@@ -88,6 +89,7 @@ std::string describe(const Ref& ref) {
     case Kind::draw: return "scene.draw";
     case Kind::held_keys: return "scene.keys";
     case Kind::gamepad: return "scene.pad";
+    case Kind::mouse: return "scene.mouse";
     case Kind::camera: return "scene.camera";
     case Kind::saved: return "scene.saved";
     case Kind::snapshot: return "snapshot";

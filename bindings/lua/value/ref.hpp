@@ -31,6 +31,7 @@ enum class Kind : std::uint32_t {
   draw,
   held_keys,
   gamepad,
+  mouse,
   camera,
   saved,
   snapshot,
