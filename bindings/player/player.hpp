@@ -182,7 +182,8 @@ class Player {
   bool paused_;
   bool help_ = false;
   Views views_;
-  bool over_ = false;  ///< the browser was left, and there is no scene
+  bool film_panels_ = false;  ///< films show panels, too
+  bool over_ = false;         ///< the browser was left, and there is no scene
   bool single_step_ = false;
   std::string failure_;
 };

@@ -37,7 +37,7 @@ void Player::toggle_film() {
   if (film_) return end_film();
   try {
     film_ = std::make_unique<LiveFilm>(free_name(".mp4"), renderer_);
-    status_.note("filming what is seen");
+    status_.note(film_panels_ ? "filming all that is on the screen" : "filming the scene");
   } catch (const std::exception& error) { complain(error.what()); }
 }
 

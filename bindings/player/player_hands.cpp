@@ -127,7 +127,7 @@ std::string Player::hint() const {
   };
   if (is_second) {
     add(key_for(KeyUse::picture), "takes a picture");
-    add(key_for(KeyUse::film), "films what is seen");
+    add(key_for(KeyUse::film), "films the scene");
     return hint;
   }
   if (hands_.tool.kind != ToolKind::cut && !is_mouse_taken)

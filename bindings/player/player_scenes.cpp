@@ -367,7 +367,7 @@ void Player::log(const std::string& what, bool good) {
 Desk Player::desk() {
   AnyId hovered;
   if (const PointId point = hands_.highlight(); scene_->world().points.alive(point)) hovered = point;
-  Desk desk{*scene_, times_, pacing_, said_, chosen_, hovered, views_, {}};
+  Desk desk{*scene_, times_, pacing_, said_, chosen_, hovered, views_, film_panels_, {}};
   desk.speed = speed_;
   desk.paused = paused_;
   desk.filming = film_ != nullptr;
@@ -387,15 +387,17 @@ void Player::draw() {
     panels_.draw(seen);
   };
   browser_.work(seen.dark() && !scene_->dark());  // pictures are not made anew for a scene on dark ground
+  const bool films_all = film_panels_;
+  if (film_ && !films_all) overlay_.without_panels = [this] { add_to_film(); };
   renderer_.draw(scene_->world(), camera_, overlay_);
-  overlay_.windows = nullptr;
+  overlay_.windows = overlay_.without_panels = nullptr;
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
     Command command;
     command.kind = Command::Kind::button;
     command.name = name;
     waiting_.commands.push_back(command);
   }
-  add_to_film();
+  if (films_all) add_to_film();
   window_.present(renderer_);
   status_.frame(scene_->world());
   fulfil(seen.wishes);

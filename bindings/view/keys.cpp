@@ -78,7 +78,7 @@ std::vector<WindowKeys> keys_of_window() {
       {"Window", Use::panels, {"tab"}, "tab", "hide all but the scene, show it", 0, play},
       {"Window", Use::fullscreen, {"F11"}, "F11", "the whole screen, or a window"},
       {"Window", Use::picture, {"s"}, "s", "take a picture", 0, play},
-      {"Window", Use::film, {"F9"}, "F9", "film what is seen, until it is pressed again", 0, play},
+      {"Window", Use::film, {"F9"}, "F9", "film the scene, until it is pressed again", 0, play},
       {"Window",
        Use::save_state,
        {"ctrl+s"},

@@ -37,8 +37,9 @@ struct Overlay {
   std::string message;                                        ///< above the tools, in warning colour: an error
   std::string title;                                          ///< upper left
   std::span<const std::pair<std::string, std::string>> help;  ///< {key, what it does}; shown as a card when not empty
-  std::vector<std::string> buttons;  ///< names; `Renderer::pressed_button` tells which was pressed
-  std::function<void()> windows;     ///< makes windows of Dear ImGui beside all that, or empty
+  std::vector<std::string> buttons;      ///< names; `Renderer::pressed_button` tells which was pressed
+  std::function<void()> windows;         ///< makes windows of Dear ImGui beside all that, or empty
+  std::function<void()> without_panels;  ///< is called once all but text, buttons and windows is drawn, or empty
 };
 
 }  // namespace pantin

@@ -66,6 +66,34 @@ void help_column(const char* name, std::span<const std::pair<std::string, std::s
   ImGui::EndTable();
 }
 
+/// Under the bar of buttons, at the right.
+void draw_legends(ImDrawList& list, const ShownViews& views, float width) {
+  float y = 56.0f;
+  for (const std::string_view words : {views.colors, views.forces}) {
+    if (words.empty()) continue;
+    const char *const begin = words.data(), *const end = begin + words.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end), at = {width - 14.0f - size.x, y};
+    const float pad = 4.0f;
+    list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg, 0.5f));
+    list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), begin, end);
+    y += 1.35f * ImGui::GetFontSize();
+  }
+}
+
+void show_at_once(ImDrawList& list) {
+  ImDrawList* lists[] = {&list};
+  ImDrawData data;
+  data.Valid = true;
+  data.CmdLists = lists;
+  data.CmdListsCount = 1;
+  data.TotalIdxCount = list.IdxBuffer.Size;
+  data.TotalVtxCount = list.VtxBuffer.Size;
+  data.DisplaySize = ImGui::GetIO().DisplaySize;
+  data.FramebufferScale = ImGui::GetIO().DisplayFramebufferScale;
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
 }  // namespace
 
 Panel::Panel(double scale) : context_(ImGui::CreateContext()), scale_(static_cast<float>(scale)) {
@@ -81,6 +109,7 @@ Panel::Panel(double scale) : context_(ImGui::CreateContext()), scale_(static_cas
 
 Panel::~Panel() {
   ImGui::SetCurrentContext(context_);
+  list_.reset();
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
 }
@@ -173,8 +202,8 @@ void Panel::take_keys(Gestures& gestures) {
 void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height) {
   pressed_.clear();
   if (overlay.status.empty() && overlay.message.empty() && overlay.title.empty() && overlay.help.empty() &&
-      overlay.buttons.empty() && overlay.marks.empty() && !overlay.windows && views.marks.empty() &&
-      views.colors.empty() && views.forces.empty())
+      overlay.buttons.empty() && overlay.marks.empty() && !overlay.windows && !overlay.without_panels &&
+      views.marks.empty() && views.colors.empty() && views.forces.empty())
     return;
   ImGui::SetCurrentContext(context_);
   if (const bool dark = overlay.views.on(View::dark); dark != dark_) set_panel_style(dark_ = dark);
@@ -185,9 +214,7 @@ void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& 
   io.DisplayFramebufferScale = {scale_, scale_};
   io.DeltaTime = 1.0f / 60.0f;
   ImGui::NewFrame();
-  for (const std::span<const Mark> marks : {views.marks, std::span<const Mark>(overlay.marks)})
-    draw_marks(*ImGui::GetBackgroundDrawList(), marks, mark_look(dark_), camera, width, height);
-  legends(views, w);
+  marks(overlay, views, camera, width, height);
   status(overlay, w, h);
   buttons(overlay);
   if (overlay.windows) overlay.windows();
@@ -196,20 +223,23 @@ void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& 
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// Under the bar of buttons, at the right.
-void Panel::legends(const ShownViews& views, float width) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  float y = 56.0f;
-  for (const std::string_view words : {views.colors, views.forces}) {
-    if (words.empty()) continue;
-    const char *const begin = words.data(), *const end = begin + words.size();
-    const ImVec2 size = ImGui::CalcTextSize(begin, end), at = {width - 14.0f - size.x, y};
-    const float pad = 4.0f;
-    list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
-                       ImGui::GetColorU32(ImGuiCol_WindowBg, 0.5f));
-    list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), begin, end);
-    y += 1.35f * ImGui::GetFontSize();
-  }
+ImDrawList& Panel::own_list() {
+  if (!list_) list_ = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
+  list_->_ResetForNewFrame();
+  list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
+  list_->PushClipRectFullScreen();
+  return *list_;
+}
+
+/// At once, where somebody wants the picture before all else is drawn.
+void Panel::marks(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height) {
+  ImDrawList& list = overlay.without_panels ? own_list() : *ImGui::GetBackgroundDrawList();
+  for (const std::span<const Mark> marks : {views.marks, std::span<const Mark>(overlay.marks)})
+    draw_marks(list, marks, mark_look(dark_), camera, width, height);
+  draw_legends(list, views, static_cast<float>(width));
+  if (!overlay.without_panels) return;
+  show_at_once(list);
+  overlay.without_panels();
 }
 
 void Panel::status(const Overlay& overlay, float width, float height) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -8,16 +9,17 @@
 #include "view/overlay.hpp"
 
 struct ImGuiContext;
+struct ImDrawList;
 
 namespace pantin {
 
-/// The overlay's text, buttons and windows, by Dear ImGui. It hears of hands from gestures alone.
 /// What the views add to an overlay.
 struct ShownViews {
   std::span<const Mark> marks;
   std::string_view colors, forces;  ///< legends, or empty
 };
 
+/// The overlay's text, buttons and windows, by Dear ImGui. It hears of hands from gestures alone.
 class Panel {
  public:
   /// `scale` pixels of the framebuffer in each px.
@@ -39,7 +41,8 @@ class Panel {
   bool covers(double x, double y) const;
   void take_events(Gestures& gestures);
   void take_keys(Gestures& gestures);
-  void legends(const ShownViews& views, float width);
+  ImDrawList& own_list();
+  void marks(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height);
   void status(const Overlay& overlay, float width, float height);
   void help(const Overlay& overlay, float width, float height);
   void buttons(const Overlay& overlay);
@@ -47,9 +50,10 @@ class Panel {
   ImGuiContext* context_;
   float scale_;
   bool dark_ = false;
+  std::unique_ptr<ImDrawList> list_;  ///< of what is drawn before the rest
   std::string pressed_;
   bool under_pointer_ = false;
-  PointerId pointer_ = 0;        ///< whom it listens to: the mouse, or the finger that touched it last
+  PointerId pointer_ = 0;  ///< whom it listens to: the mouse, or the finger that touched it last
   std::set<PointerId> engaged_;  ///< went down on it
 };
 

@@ -292,7 +292,7 @@ TEST_CASE("window: when its display goes away, what was asked for is written", "
   CHECK(read_tip(folder).size() > 5);
 }
 
-TEST_CASE("window: what is seen is filmed from key to key", "[window]") {
+TEST_CASE("window: the scene is filmed from key to key", "[window]") {
   if (!can_play() || !have_program("ffmpeg") || !have_program("ffprobe")) return;
   Screen screen;
   Folder folder;

@@ -395,3 +395,32 @@ TEST_CASE("a shader that OpenGL refuses is told, and the rest is drawn", "[windo
   rows.draw(refused, GL_TRIANGLES);
   CHECK(glGetError() == GL_NO_ERROR);
 }
+
+TEST_CASE("a picture without panels has the marks, and what is drawn after it is as always", "[view]") {
+  const Window window("test", width, height, true);
+  World world;
+  small_worlds::chain(world, 4);
+  const Camera camera = camera_of(world);
+  Overlay overlay;
+  Mark mark;
+  mark.kind = Mark::Kind::line;
+  mark.from = vec(20, 300, 0);
+  mark.to = vec(600, 330, 0);
+  mark.size = 5.0;
+  mark.on_screen = true;
+  overlay.marks = {mark};
+  const Still marked = draw(world, camera, 0, overlay);
+  overlay.title = "Title";
+  overlay.status = {"status"};
+  overlay.buttons = {"button"};
+  const Still all = draw(world, camera, 0, overlay);
+  Renderer renderer(width, height);
+  renderer.open(world);
+  Still early;
+  overlay.without_panels = [&] { early.pixels = renderer.read_pixels(); };
+  renderer.draw(world, camera, overlay);
+  CHECK(early.covered(marked) == 0);
+  CHECK(early.covered(draw(world, camera)) > 1000);
+  CHECK(all.covered(marked) > 50);
+  CHECK(Still{renderer.read_pixels()}.covered(all) == 0);
+}

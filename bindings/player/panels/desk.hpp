@@ -51,6 +51,7 @@ struct Desk {
   AnyId& chosen;                 ///< what the inspector shows
   AnyId hovered;                 ///< under the pointer
   Views& views;                  ///< those that are on
+  bool& film_panels;             ///< films show panels, too
   Wishes wishes;
   double speed = 1.0;  ///< times the scene's pace
   bool paused = false;

@@ -143,8 +143,8 @@ void Panels::draw_bar(Desk& desk) {
   gap();
   wishes.picture |= icon_button(Icon::picture, "take a picture (s)");
   ImGui::SameLine();
-  wishes.film |= desk.filming ? icon_button(Icon::end_film, "end the film (F9)")
-                              : icon_button(Icon::film, "film what is seen (F9)");
+  wishes.film |=
+      desk.filming ? icon_button(Icon::end_film, "end the film (F9)") : icon_button(Icon::film, "film the scene (F9)");
   gap();
   if (icon_button(Icon::panels, "panels (tab hides them), views, film")) ImGui::OpenPopup("panels");
   ImGui::PopStyleVar(2);
@@ -165,7 +165,9 @@ void Panels::draw_list(Desk& desk) {
       desk.views.toggle(named.view);
   ImGui::Separator();
   desk.wishes.picture |= item("picture", KeyUse::picture, 0, false, "of the scene, as .png");
-  desk.wishes.film |= item("film", KeyUse::film, 0, desk.filming, "what is seen, until it is pressed again, as .mp4");
+  desk.wishes.film |= item("film", KeyUse::film, 0, desk.filming, "the scene, until it is pressed again, as .mp4");
+  ImGui::MenuItem("film panels too", nullptr, &desk.film_panels);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("films show all that is on the screen");
   desk.wishes.save_state |=
       item("save", KeyUse::save_state, 0, false, "the state, as .pantin: the scene goes on from it");
   desk.wishes.save_scene |=

@@ -55,7 +55,7 @@ class TimePane : public Pane {
       ImGui::TextDisabled("nothing was set to happen");
     else
       draw_list(desk);
-    if (ImGui::Button(desk.filming ? "end the film" : "film what is seen")) desk.wishes.film = true;
+    if (ImGui::Button(desk.filming ? "end the film" : "film the scene")) desk.wishes.film = true;
     ImGui::SameLine();
     ImGui::TextDisabled("%s: pantin-0001.mp4 and on", key_for(KeyUse::film));
   }
