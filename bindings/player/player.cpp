@@ -86,6 +86,7 @@ bool Player::frame() {
   give_keys_to_scene();
   if (!browser_.shown() && !renderer_.writing()) steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
+  if (!browser_.shown()) take_fingers(elapsed);
   give_mouse(*scene_, viewport(), !browser_.shown(), gestures_, waiting_);
   reload();
   take_keys();

@@ -22,6 +22,7 @@
 #include "player/undo.hpp"
 #include "scene/scene.hpp"
 #include "view/edge_arrows.hpp"
+#include "view/fingers.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/speaker.hpp"
@@ -71,6 +72,7 @@ class Player {
   void act(const Actions& actions);
   void take_keys();
   Viewport viewport() const;
+  void take_fingers(double elapsed);
   Actions take_hands(double elapsed);
   std::int32_t new_hand();
   bool presses_in_scene() const;
@@ -145,6 +147,7 @@ class Player {
   Camera camera_;
   Follower follower_;
   PlayerInput hands_;
+  Fingers fingers_;
   Gestures gestures_;
   Steering steering_;
   Speaker speaker_;

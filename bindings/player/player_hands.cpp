@@ -6,6 +6,7 @@
 #include "player/player.hpp"
 #include "view/keys.hpp"
 #include "view/palette.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin::player {
 namespace {
@@ -17,6 +18,17 @@ constexpr std::chrono::seconds played_for{20}, asked_for{10};  // before it is t
 
 Viewport Player::viewport() const {
   return {scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
+}
+
+void Player::take_fingers(double elapsed) {
+  const ToolKind kind = hands_.tool.kind;
+  const bool has_mouse = gestures_.scene_has_mouse();
+  const bool draws = kind == ToolKind::cut || kind == ToolKind::make;
+  const auto takes_hold = [this, is_free = !has_mouse && !draws](double x, double y) {  // small: no memory is asked for
+    return is_free && static_cast<bool>(pick_held(viewport(), x, y));
+  };
+  fingers_.take(gestures_, {elapsed, takes_hold, has_mouse || draws || kind == ToolKind::heat, renderer_.width(),
+                            renderer_.height(), camera_});
 }
 
 Actions Player::take_hands(double elapsed) {

@@ -69,6 +69,7 @@ bool ReplayWindow::frame() {
   if (!window_.poll(gestures_) || Interrupt::asked()) return false;
   renderer_.resize(window_.width(), window_.height(), window_.scale());
   renderer_.listen(gestures_);
+  fingers_.take(gestures_, {elapsed, nullptr, false, renderer_.width(), renderer_.height(), camera_});
   take_view_keys(gestures_, views_, camera_);
   for (const PointerEvent& event : gestures_.events) take(event);
   for (const std::string& name : gestures_.keys)

@@ -9,6 +9,7 @@
 #include "player/pacing.hpp"
 #include "player/replay.hpp"
 #include "player/status.hpp"
+#include "view/fingers.hpp"
 #include "view/renderer.hpp"
 #include "view/speaker.hpp"
 
@@ -66,6 +67,7 @@ class ReplayWindow {
   Follower follower_;
   Speaker speaker_;
   Gestures gestures_;
+  Fingers fingers_;
   Views views_;
   Pacing pacing_;
   Status status_;

@@ -41,7 +41,7 @@ std::vector<WindowKeys> keys_of_hands() {
        play},
       {"Hands", Use::undo, {"ctrl+z"}, "ctrl + z", "undo", 0, play},
       {"Hands", Use::redo, {"ctrl+shift+z", "ctrl+y"}, "ctrl + shift + z", "redo", 0, play},
-      {"Hands", Use::told, {}, "fingers, sticks", "each is a hand of its own", 0, play},
+      {"Hands", Use::told, {}, "fingers, sticks", "each is a hand; two move the view", 0, play},
       {"Hands",
        Use::told,
        {"left", "right", "up", "down", "return", "keypad enter", "keypad 2", "keypad 4", "keypad 5", "keypad 6",

@@ -165,14 +165,16 @@ void Panel::take_events(Gestures& gestures) {
   if (const auto found = gestures.pointers.find(pointer_); found != gestures.pointers.end()) {
     const Pointer& pointer = found->second;
     io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
+    if (pointer_ != 0 && scroll_.take(io.MousePos.x, io.MousePos.y)) io.MousePos = {-FLT_MAX, -FLT_MAX};
     down[0] |= pointer.left;
     down[1] |= pointer.middle;
     down[2] |= pointer.right;
   } else if (pointer_ == 0) {
     io.MousePos = {-FLT_MAX, -FLT_MAX};
-  } else {
-    pointer_ = 0;  // the finger went up, where it was
+  } else if (!down[0]) {  // a tap may be over before it is seen
+    pointer_ = 0;         // the finger went up, where it was
   }
+  if (!gestures.pointers.contains(pointer_) || pointer_ == 0) scroll_.end();
   io.MouseDown[ImGuiMouseButton_Left] = down[0];
   io.MouseDown[ImGuiMouseButton_Middle] = down[1];
   io.MouseDown[ImGuiMouseButton_Right] = down[2];

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "view/camera.hpp"
+#include "view/finger_scroll.hpp"
 #include "view/gestures.hpp"
 #include "view/overlay.hpp"
 
@@ -54,6 +55,7 @@ class Panel {
   std::string pressed_;
   bool under_pointer_ = false;
   PointerId pointer_ = 0;  ///< whom it listens to: the mouse, or the finger that touched it last
+  FingerScroll scroll_;
   std::set<PointerId> engaged_;  ///< went down on it
 };
 
