@@ -47,7 +47,7 @@ std::string cut_story(const World& world, const std::vector<AnyId>& things) {
   return "cut " + counted(things.size(), kind_of(world, things[0], false), first);
 }
 
-enum Joins : std::size_t { hinge, rod, rope, spring, chain, ball_hinge };
+enum Joins : std::size_t { by_hinge, by_rod, by_rope, by_spring, by_chain, by_ball_hinge };
 enum Spins : std::size_t { once, motor };
 
 }  // namespace
@@ -380,7 +380,7 @@ void ToolUse::turn_or_push(const Viewport& viewport, ToolOutput& output) {
 }
 
 void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
-  const bool hinged = choice_.variant == hinge || choice_.variant == ball_hinge;
+  const bool hinged = choice_.variant == by_hinge || choice_.variant == by_ball_hinge;
   Command c = command_there(viewport, hinged ? Command::Kind::join : Command::Kind::tie);
   const Held end = pick_held(viewport, x_, y_);
   c.position = start(viewport);
@@ -390,8 +390,8 @@ void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   const bool same = end && (end.point ? end.point == point_ : end.body == body_);
   if (same || (hinged && !end) || is_click()) return output.said.push_back("join: let go at another thing");
   c.name = hinged ? "" : choice_.tool().variants[choice_.variant];
-  if (choice_.variant == hinge) c.amount = hinge_axis(viewport);
-  if (choice_.variant == chain) c.radius = 0.05 * viewport.stage.unit;
+  if (choice_.variant == by_hinge) c.amount = hinge_axis(viewport);
+  if (choice_.variant == by_chain) c.radius = 0.05 * viewport.stage.unit;
   send(c, output);
   output.said.push_back(hinged ? std::string("joining") : "tied by a " + c.name);
 }
