@@ -63,12 +63,12 @@ bool find_edge_axis(const BoxPair& pair, BestAxes& best) {
     const Vec3 apart = absolute_lanes(cross(m[j], pair.centre_in_a)) -
                        (ha1 * rotate_lanes_back(q[j]) + ha2 * rotate_lanes(q[j])) -
                        (q[j2] * pair.half_b[j1] + q[j1] * pair.half_b[j2]);
+    const Vec3 gaps = apart / square_root(length2);
     for (int i = 0; i < 3; i++) {
       if (length2[i] < parallel_edges) continue;
-      const double gap = apart[i] / std::sqrt(length2[i]);
-      if (gap > pair.margin) return false;
-      if (best.edge < 0 || gap > best.edge_gap + face_advantage * pair.size) {
-        best.edge_gap = gap;
+      if (gaps[i] > pair.margin) return false;
+      if (best.edge < 0 || gaps[i] > best.edge_gap + face_advantage * pair.size) {
+        best.edge_gap = gaps[i];
         best.edge = 3 * i + j;
       }
     }
@@ -129,24 +129,29 @@ struct ClipPolygon {
 
 /// What lies within side (0 … 3: +x, -x, +y, -y) of the reference face; corners on the border within `near` stay as they are.
 void clip_by_side(ClipPolygon& polygon, std::uint32_t side, double limit, double near) {
-  const auto outside = [&](const ClipPoint& p) {
-    const double along = side < 2 ? p.x : p.y;
-    return (side % 2 == 0 ? along : -along) - limit;
-  };
+  std::array<double, 12> out;
+  double most = -infinity;
+  for (std::uint32_t i = 0; i < polygon.count; i++) {
+    const double along = side < 2 ? polygon.points[i].x : polygon.points[i].y;
+    out[i] = (side % 2 == 0 ? along : -along) - limit;
+    most = out[i] > most ? out[i] : most;
+  }
+  if (most <= near) return;
   ClipPolygon rest;
   for (std::uint32_t i = 0; i < polygon.count; i++) {
-    const ClipPoint &from = polygon.points[i], &to = polygon.points[i + 1 < polygon.count ? i + 1 : 0];
-    const double out = outside(from), next_out = outside(to);
-    if (out <= near) rest.points[rest.count++] = from;
-    if (out <= near && next_out > near && out >= -near) rest.points[rest.count - 1].edge = 12 + side;
-    if ((out < -near && next_out > near) || (out > near && next_out < -near)) {
-      const double part = out / (out - next_out);
+    const std::uint32_t next = i + 1 < polygon.count ? i + 1 : 0;
+    const ClipPoint &from = polygon.points[i], &to = polygon.points[next];
+    if (out[i] <= near) rest.points[rest.count++] = from;
+    if (out[i] <= near && out[next] > near && out[i] >= -near) rest.points[rest.count - 1].edge = 12 + side;
+    if ((out[i] < -near && out[next] > near) || (out[i] > near && out[next] < -near)) {
+      const double part = out[i] / (out[i] - out[next]);
       rest.points[rest.count++] = {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y),
                                    from.z + part * (to.z - from.z), crossing_name(from.edge, 12 + side),
-                                   out > 0.0 ? from.edge : 12 + side};
+                                   out[i] > 0.0 ? from.edge : 12 + side};
     }
   }
-  polygon = rest;
+  polygon.count = rest.count;
+  std::copy_n(rest.points.begin(), rest.count, polygon.points.begin());
 }
 
 /// A face of a box: of axis f, on its positive side or the other.
