@@ -91,6 +91,18 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   row.f = direction(d) * -c.tension;
 }
 
+double add_energies(StiffBond& bond, Vec3 d, double times, std::vector<double>& list) {
+  const double square = std::fmax(norm2(d), bond.least2);
+  double all = 0.0;
+  for (std::size_t i = 0; i < bond.curves.size(); i++) {
+    if (!bond.curves[i].has_energy()) continue;
+    bond.curves[i].run(1, &square, 0.0);
+    all += bond.curves[i].at(0).energy;
+    list[i] += times * bond.curves[i].at(0).energy;
+  }
+  return all;
+}
+
 void start_stiff(StiffBond& bond, const Row& row, double approach) {
   const double s0 = std::fmax(norm2(row.d0), bond.least2);
   bond.rate0 = approach / std::sqrt(s0);

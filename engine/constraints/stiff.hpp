@@ -38,6 +38,9 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
 void start_stiff(StiffBond& bond, const Row& row, double approach);
 
+/// Energy of its laws, with its ends d [m] apart, [J]; adds `times` that of each curve to `list` (curves).
+double add_energies(StiffBond& bond, Vec3 d, double times, std::vector<double>& list);
+
 /// Its row keeps the length of the start of the step instead, and with it the energy of the bond.
 void hold_length(Row& row, Condition& condition);
 void pull_again(Row& row);

@@ -66,7 +66,6 @@ struct Builder {
     to.things.push_back(thing);
     to.states.push_back(s);
     to.pulls.emplace_back();
-    to.law_pulls.emplace_back();
     if (number < index.size()) index[number] = place;
     return place;
   }
@@ -107,7 +106,6 @@ struct Builder {
       const bool is_new = pulls_by_law(row) && norm2(row.f) == 0.0;
       const Vec3 pull = is_new ? pull_at(*condition(a, row).stiff, row.d1).f : row.f;
       add_load(to.pulls, ties[k], pull);
-      if (pulls_by_law(row)) add_load(to.law_pulls, ties[k], pull);
     }
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || is_coupled(a.rows[k])) continue;
@@ -165,7 +163,6 @@ void TouchIsland::clear() {
   scalars.clear();
   held.clear();
   pulls.clear();
-  law_pulls.clear();
   placed.clear();
   solved = false;
   given.clear();

@@ -43,7 +43,6 @@ struct TouchIsland {
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<TouchScalar> scalars;                ///< (scalars)
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
-  std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
   std::size_t first_placed = 0;                    ///< number of the first of that in the pass
   bool solved = false;  ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now

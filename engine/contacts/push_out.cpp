@@ -4,6 +4,7 @@
 
 #include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/momenta.hpp"
+#include "articulates/solve/state.hpp"
 #include "contacts/pass_parts.hpp"
 #include "contacts/passes.hpp"
 #include "contacts/turn_back.hpp"
@@ -143,17 +144,20 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     problem.enough *= 1e2;
     solve_pass(contacts, island, Pass::push_out, settings.search, report);
     limit_displacements(problem, farthest_pushed * largest);
+    for (const std::uint32_t a : island.articulates) report.work -= add_energies_of_solved_laws(*articulates[a], 1.0);
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);
-    for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
+    for (const std::uint32_t a : island.articulates) {
+      close_displaced(*articulates[a]);
+      report.work += add_energies_of_solved_laws(*articulates[a], -1.0);
+    }
     if (std::fmin(largest, fastest(problem)) * h > most_at_rest * size)
       keep_awake(model, articulates, contacts, island);
     for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
                  turn = problem.bodies[i].w * h;
-      const BodyLoad& pull = island.law_pulls[i];
-      report.work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
+      report.work -= problem.bodies[i].mass * dot(settings.gravity, way);
       const std::size_t number = number_of(model, island.things[i]);
       if (number < displaced.size()) displaced[number] = {island.states[i].x, way, turn};
     }

@@ -189,7 +189,6 @@ void kick(World& world, double half) {
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
-  if (!drifted) f.velocity.starts.clear();
   if (f.velocity_dependent) {
     solve_velocity_kick(world, f, half, time_within(world, world.stage.from), {drifted, true});
     post_tied(world, kick_tied(world, f));
@@ -240,15 +239,15 @@ void put_back(World& world) {
     world.free_motion[world.loose_points[i]] = world.saved_points[i];
   for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
     world.motion[world.loose_bodies[i]] = world.saved_motion[i];
-  if (!world.forces) return;
-  for (const VelocityForces::Start& s : world.forces->velocity.starts) {
+  if (world.forces)
+    for (const Receiver& m : world.forces->receivers) {
+      ReceiverMomenta s = momenta_of(world, m, false);
+      (s.v ? *s.v : *s.p) = m.start_p;
+      if (s.P) *s.P = m.start_P;
+    }
+  for (const TiedStart& s : world.tied_starts) {
     (s.is_body ? world.motion[s.slot].p : world.free_motion[s.slot].v) = s.p;
     if (s.is_body) world.motion[s.slot].angular = s.P;
-  }
-  for (const Receiver& m : world.forces->receivers) {
-    ReceiverMomenta s = momenta_of(world, m, false);
-    (s.v ? *s.v : *s.p) = m.start_p;
-    if (s.P) *s.P = m.start_P;
   }
 }
 

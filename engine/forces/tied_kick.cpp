@@ -347,12 +347,10 @@ void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
   }
   if (!n.is_body) {
     FreeMotion& m = world_.free_motion[n.slot];
-    laws_.starts.push_back({n.slot, false, m.v, zero3()});
     m.v += v;
     return;
   }
   Motion& m = world_.motion[n.slot];
-  laws_.starts.push_back({n.slot, true, m.p, m.angular});
   m.p += p;
   if (n.turns) m.angular += transposed_times(matrix(m.q), L);
 }

@@ -39,14 +39,6 @@ struct VelocityForces {
   bool known = false;               ///< of the present positions and time
   std::vector<std::shared_ptr<TiedKick>> tied;  ///< of what rows tie, solved and not yet applied
 
-  /// Momenta at the start of the step of a thing that a kick through rows changed.
-  struct Start {
-    std::uint32_t slot;
-    bool is_body;
-    Vec3 p, P;  // of a body [kg m/s], [kg m²/s]; of a point p is its velocity [m/s]
-  };
-  std::vector<Start> starts;
-
   /// A body, or a tied point. Of what is solved with its articulate v and spin are w.
   struct Carrier {
     Vec3 v0 = zero3(), spin0 = zero3();                               // at the start of the kick

@@ -92,21 +92,6 @@ void post_work(World& world, const DriftReport& report) {
 }
 
 /// What the energies of solved laws gave.
-void post_solved_laws(World& world, const Articulate& articulate) {
-  Ledger& ledger = world.ledger;
-  if (!ledger.kept) return;
-  for (const Condition& c : articulate.conditions) {
-    if (!c.stiff) continue;
-    std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
-    for (double given : c.energy_given) {
-      ledger.laws += given;
-      ledger.kicks[law->name] += given;
-      ledger.posted += std::fabs(given);
-      law = law->also;
-    }
-  }
-}
-
 /// The first thing of an articulate, for whoever reads of it.
 std::string first_of(const World& world, const Articulate& articulate) {
   const Node& n = articulate.nodes[0];

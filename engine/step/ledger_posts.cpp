@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "articulates/solve/state.hpp"
 #include "forces/forces.hpp"
@@ -106,6 +108,22 @@ void post_drift(World& world, const LedgerMark& before) {
   world.ledger.round_off += 32.0 * std::numeric_limits<double>::epsilon() * (before.size + now.size);
   if (rule_of(world).conserves) return;
   post_inside(world, Source::integrator, now.kinetic - before.kinetic - (now.told - before.told) - fall);
+}
+
+void post_solved_laws(World& world, Articulate& articulate) {
+  Ledger& ledger = world.ledger;
+  if (!ledger.kept) return;
+  for (Condition& c : articulate.conditions) {
+    if (!c.stiff) continue;
+    std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
+    for (double& by_curve : c.energy_given) {
+      const double given = std::exchange(by_curve, 0.0);
+      ledger.laws += given;
+      ledger.kicks[law->name] += given;
+      ledger.posted += std::fabs(given);
+      law = law->also;
+    }
+  }
 }
 
 void post_projection(World& world, const LedgerMark& before, double returned) {

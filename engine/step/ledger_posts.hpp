@@ -22,6 +22,8 @@ void post_kick(World& world, const LedgerMark& before, bool drifted);
 void post_report(World& world, const DriftReport& report);
 /// gravity as far as things fell, and the integrator's own errors;
 void post_drift(World& world, const LedgerMark& before);
+/// what the energies of solved laws gave to the motion since it was posted last;
+void post_solved_laws(World& world, Articulate& articulate);
 /// in a projection, `returned` [J] and the rest.
 void post_projection(World& world, const LedgerMark& before, double returned);
 void end_ledger(World& world);

@@ -7,6 +7,7 @@
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "forces/kick_error.hpp"
+#include "step/touch.hpp"
 
 namespace pantin {
 
@@ -42,10 +43,26 @@ void put_back(const ArticulateStart& from, Articulate& a) {
   a.last_h = 0.0;
 }
 
+/// Contacts and kicks through rows change the model's momenta before articulates have them.
+void keep_tied(World& world) {
+  world.tied_starts.clear();
+  if (!may_touch(world) && !(world.forces && world.forces->velocity_dependent)) return;
+  for (const auto& articulate : world.articulates) {
+    if (articulate->rest.asleep) continue;
+    for (const Node& n : articulate->nodes) {
+      if (n.is_body)
+        world.tied_starts.push_back({n.slot, true, world.motion[n.slot].p, world.motion[n.slot].angular});
+      else
+        world.tied_starts.push_back({n.slot, false, world.free_motion[n.slot].v, zero3()});
+    }
+  }
+}
+
 }  // namespace
 
 void keep_start(World& world) {
   world.kick_error = 0.0;
+  keep_tied(world);
   if (!world.settings.accuracy && world.settings.accuracy_per_step) tell_unused(world);
   if (!world.settings.accuracy || !rule_of(world).divides || !world.forces) {
     if (world.start) world.start->kept = false;

@@ -24,7 +24,7 @@ struct StepStart {
   std::uint64_t instant = 0;
 };
 
-/// Keeps what a step changes before its end, where it may have to be done again.
+/// Keeps what a step changes before its end, where it may have to be done again; momenta in any case.
 void keep_start(World& world);
 /// After a stage of a step: notes its error.
 void note_error(World& world);

@@ -234,7 +234,10 @@ void find_contacts(World& world) {
   push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
            settings_of(world, true, world.stage.to, world.stage.to), report);
   post(world, Source::push_out, report.work);
-  if (report.work != 0.0) post_falling(world, before.all_falling - ledger_mark(world, true).all_falling);
+  if (report.work != 0.0) {
+    post_falling(world, before.all_falling - ledger_mark(world, true).all_falling);
+    for (const auto& articulate : world.articulates) post_solved_laws(world, *articulate);
+  }
   count(world, report);
   world.contact_finder->displaced = world.contact_finder->displaced || report.work != 0.0;
   if (world.contacts.stale) find(world, true);

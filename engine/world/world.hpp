@@ -42,6 +42,13 @@ struct Hand {
   std::function<Vec3(double)> path;  ///< scripted: position at time t [s]
 };
 
+/// Momenta of a tied thing at the start of a step.
+struct TiedStart {
+  std::uint32_t slot;
+  bool is_body;
+  Vec3 p, P;  ///< of a body [kg m/s], [kg m²/s]; of a point p is its velocity [m/s]
+};
+
 /// Something that happened; told to scripts in the next step.
 struct Notice {
   enum class Kind : std::uint8_t {
@@ -227,6 +234,7 @@ struct World : WorldData {
   std::vector<std::unique_ptr<Trial>> trials;                   ///< (threads) of sub-steps
   std::vector<std::unique_ptr<TreeWorkspace>> tree_workspaces;  ///< (threads) where trees are moved
   std::unique_ptr<StepStart> start;                             ///< of a step that may have to be done again
+  std::vector<TiedStart> tied_starts;                           ///< put back where the step goes wrong
   std::unique_ptr<Workers> workers;                             ///< threads
   Profile profile;
 

@@ -106,6 +106,30 @@ test("a stiff impact within a step is seen before it, so that what meets exchang
   expect(second ""):above(2)
 end)
 
+test("a step that is done again, more finely, begins with the momenta that contacts changed of what is tied", function()
+  local scene = open_text [[
+    scene.accuracy = 1e-2
+    scene:floor { height = -1.2, friction = 0.5 }
+    local last
+    for i = 1, 3 do
+      local link = scene:box { size = vec(1, 0.2, 0.2), at = vec(i - 0.5, 0, 0), points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+      if last then scene:hinge(last.tail, link.head) else scene:nail(link.head) end
+      last = link
+    end
+    local fixed, bob = scene:particle { at = vec(0, 3, 0) }, scene:particle { at = vec(1, 3, 0) }
+    scene:nail(fixed)
+    scene:connect(fixed, bob, force.pair { potential = function(r) return 100 * (r - 1) ^ 2 end })
+    for k = 1, 20 do
+      scene:at(0.37 + 0.05 * k, function() bob:kick(vec(0.3, 0.2, 0) * k) end)
+    end
+  ]]
+  local _ = scene.ledger
+  scene:advance(1)
+  expect(scene.stats.rejected_steps):above(0)
+  expect(scene.ledger.closure):below(1e-10)
+  expect(scene.error.worst_energy):below(1e-6)
+end)
+
 --- The largest difference of what holds a pendulum from its closed form m g cos + m v²/l, over the first of two seconds.
 local function wrong_load(tie, settings)
   local scene = open_text([[

@@ -133,6 +133,21 @@ double kinetic_energy(const Articulate& a) {
   return t;
 }
 
+double add_energies_of_solved_laws(Articulate& a, double times) {
+  const auto end = [&](std::int32_t node, Vec3 arm) {
+    const Node& n = a.nodes[static_cast<std::size_t>(node)];
+    return n.turns ? n.x0 + n.R0 * arm : n.x0;
+  };
+  double all = 0.0;
+  for (Condition& c : a.conditions) {
+    if (!c.stiff) continue;
+    const Row& of = row(a, c);
+    const Vec3 d = end(of.a, of.la) - (of.b < 0 ? c.position1 : end(of.b, of.lb));
+    all += add_energies(*c.stiff, d, times, c.energy_given);
+  }
+  return all;
+}
+
 NodeTotals totals_of(const Articulate& a) {
   NodeTotals t;
   double unsound = 0.0;

@@ -27,6 +27,8 @@ void tell_tensions(const Articulate& articulate, Model& model);
 
 /// Kinetic energy of the nodes' starts, [J].
 double kinetic_energy(const Articulate& articulate);
+/// Energy of solved laws at the nodes' starts, [J]; adds `times` that to what they gave to the motion.
+double add_energies_of_solved_laws(Articulate& articulate, double times);
 NodeTotals totals_of(const Articulate& articulate);
 /// Finds `gaps` anew from the rows at the end of the step.
 void measure_gaps(Articulate& articulate);
