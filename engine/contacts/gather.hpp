@@ -56,6 +56,12 @@ struct TouchIsland {
   void clear();  ///< keeps memory
 };
 
+/// How a thing was displaced [m], [rad], about its centre before.
+struct Displaced {
+  Vec3 x = zero3(), way = zero3(), turn = zero3();
+  Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
+};
+
 /// Islands of each pass, whose memory and layouts last from step to step.
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting;  ///< of `place`, `meet`
@@ -63,6 +69,7 @@ struct TouchSpace {
   std::size_t placed = 0;                     ///< how many islands of `placing` there are now
   std::vector<Vec3> turned;                   ///< (as index) [N m s] what taking back left of what was foreseen
   std::vector<double> placing_work;           ///< (as index) [J] done to things by placing, and by taking that back
+  std::vector<Displaced> displaced;           ///< (as index) by the last `push_out`; none: by nothing
   std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1
 };
 

@@ -41,12 +41,6 @@ struct Overlaps {
   }
 };
 
-/// How a thing was displaced [m], [rad], about its centre before.
-struct Displaced {
-  Vec3 x = zero3(), way = zero3(), turn = zero3();
-  Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
-};
-
 double fastest(const ContactIsland& island) {
   double most = 0.0;
   for (const IslandBody& b : island.bodies) most = std::fmax(most, norm(b.v) + norm(b.w) * b.reach);
@@ -97,6 +91,8 @@ void move_along(const Model& model, const std::vector<Displaced>& displaced, Con
 
 void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
               const TouchSettings& settings, TouchReport& sum) {
+  std::vector<Displaced>& displaced = space.displaced;
+  displaced.clear();
   std::vector<char> used(contacts.list.size(), 0);
   const Overlaps overlaps{model, articulates, contacts};
   bool any = false, any_urgent = false;
@@ -113,7 +109,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
   const double h = settings.h;
   const std::span<TouchIsland> islands =
       gather(space.opening, space.index, workers, model, articulates, contacts, settings, used);
-  std::vector<Displaced> displaced(space.index.size());
+  displaced.assign(space.index.size(), {});
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     problem.rolls.clear();

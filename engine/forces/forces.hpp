@@ -158,6 +158,9 @@ void kick(World& world, double half);
 AlignedVector<Vec3> site_velocities(World& world, bool drifted);
 /// Posts for each law what it does in the drift to come beyond its kicks at both ends, since contacts changed these velocities.
 void post_laws_beside_kicks(World& world, const AlignedVector<Vec3>& before);
+/// Posts what laws that kick did, with the forces of now, while sites were displaced by `ways` [m] (sites): they gave that to
+/// what opens overlaps.
+void post_displacements(World& world, const AlignedVector<Vec3>& ways);
 /// Posts what laws with an energy give in dt [s] at the present velocities.
 void post_present_laws(World& world, double dt);
 /// Loose things, and the model's rows of those that laws move, as they were before the step's first kick.

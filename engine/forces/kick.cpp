@@ -173,6 +173,12 @@ void post_laws_beside_kicks(World& world, const AlignedVector<Vec3>& before) {
   post_laws(world, *world.forces, less, site_velocities(world, world.stage.index > 0), world.stage.h);
 }
 
+void post_displacements(World& world, const AlignedVector<Vec3>& ways) {
+  Forces& f = *world.forces;
+  post(world, Source::push_out, -work_of(f, ways, ways, 1.0));
+  post_laws(world, f, ways, ways, 1.0);
+}
+
 void post_tied(World& world, const TiedWork& work) {
   post_nonconservative(world, {work.damper, work.rest});
   post(world, Source::hand, work.rows.anchors);

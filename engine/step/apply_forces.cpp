@@ -3,6 +3,7 @@
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
 #include "step/phases.hpp"
+#include "step/touch.hpp"
 
 namespace pantin::phases {
 
@@ -51,6 +52,7 @@ void apply_forces(World& world) {
   if (!world.forces) return;
   const Timed timed(world.profile, Phase::apply_forces);
   run_or_fail(world, find_forces_after_drift);
+  post_opening(world);
 }
 
 }  // namespace pantin::phases

@@ -1,6 +1,7 @@
 // Things with shapes and solid particles touch: phases around the drift. Nothing happens in a scene without any.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contacts/bodies.hpp"
 #include "contacts/find.hpp"
@@ -67,6 +68,24 @@ void divide_for_contacts(World& world) {
   const auto count =
       static_cast<std::uint16_t>(std::ceil(std::max(std::min(wanted, most), std::min(whirling, most_whirling))));
   world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
+}
+
+void post_opening(World& world) {
+  if (!world.touch_space || world.touch_space->displaced.empty() || !world.trouble.empty()) return;
+  const std::vector<Displaced> displaced = std::exchange(world.touch_space->displaced, {});
+  const Forces& f = *world.forces;
+  const std::size_t bodies = world.bodies.slots();
+  const auto of = [&](std::size_t number) { return number < displaced.size() ? displaced[number] : Displaced{}; };
+  AlignedVector<Vec3> ways;
+  ways.assign(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) ways[i] = of(bodies + f.point[i]).way;
+  for (const Attached& a : f.attached) {
+    const Receiver& r = f.receivers[a.receiver];
+    const Displaced d = of(r.is_body ? r.slot : bodies + r.slot);
+    ways[a.site] = d.way + cross(d.turn, a.r);
+  }
+  post_displacements(world, ways);
 }
 
 namespace phases {

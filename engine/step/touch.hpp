@@ -8,5 +8,7 @@ inline bool may_touch(const World& world) { return !world.shapes.empty() || worl
 
 /// Before a step: things that are near each other and fast for their size are moved in up to four sub-steps.
 void divide_for_contacts(World& world);
+/// After forces are found: posts what laws that kick did while overlaps were opened.
+void post_opening(World& world);
 
 }  // namespace pantin
