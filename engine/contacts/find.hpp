@@ -74,6 +74,7 @@ struct ContactFinder {
   double ahead = 1.0;                   ///< of a step: what margins look ahead by, as far as a crowd lets them
   bool changed = true;                  ///< an edit concerned what is in there
   bool displaced = false;               ///< shapes were, a little, since they were put there
+  bool asked_changed = false, asked_displaced = false;  ///< they were, when they were put there for a ray or the like
 };
 
 /// Where shapes were when they were looked at last, from which what is pushed before the next drift is looked for.

@@ -88,13 +88,13 @@ void put_bounds(const ThingsNow& p, ContactFinder& finder) {
 }
 
 void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& kept) {
-  kept.known = finder && !finder->changed && !model.places_changed;
+  kept.known = finder && !finder->changed && !finder->asked_changed && !model.places_changed;
   if (!kept.known) return;
   kept.shapes = finder->shapes_now;
   kept.going = finder->going;
   kept.ahead = finder->ahead;
   kept.sleep_changes = finder->sleep_changes;
-  kept.displaced = finder->displaced;
+  kept.displaced = finder->displaced || finder->asked_displaced;
 }
 
 void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "contacts/find.hpp"
 #include "shapes/ray.hpp"
@@ -14,8 +15,13 @@ namespace {
 const ContactFinder& current_finder(World& world) {
   const bool edited = world.places_changed;
   if (renew(world.contact_finder, world) || world.contact_finder->displaced) {
-    put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step},
-               *world.contact_finder);
+    ContactFinder& finder = *world.contact_finder;
+    finder.asked_changed = finder.asked_changed || finder.changed;
+    finder.asked_displaced = finder.asked_displaced || finder.displaced;
+    const auto kept = std::tuple(finder.shapes_now, finder.points_now, finder.going);  // from which steps go on
+    const bool was_changed = finder.changed;
+    put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step}, finder);
+    if (!was_changed) std::tie(finder.shapes_now, finder.points_now, finder.going) = kept;
     world.contacts.stale = world.contacts.stale || edited;
   }
   return *world.contact_finder;

@@ -157,10 +157,13 @@ ThingsNow things_now(const World& world, bool drifted) {
   return {world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
 }
 
-/// There is what contacts are found with, and it knows of all edits.
+/// There is what contacts are found with, it knows of all edits, and goes on as if nothing had asked between steps.
 void make_ready(World& world) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
+  ContactFinder& finder = *world.contact_finder;
+  finder.changed = std::exchange(finder.asked_changed, false) || finder.changed;
+  finder.displaced = std::exchange(finder.asked_displaced, false) || finder.displaced;
 }
 
 /// What a drift took through something goes back to where they met.
