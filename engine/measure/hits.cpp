@@ -11,14 +11,15 @@
 namespace pantin {
 namespace {
 
-/// With bounds that all shapes are within now, but for what is solid below height fields. Contacts are to be found anew only where an edit changed something.
+/// With bounds that all shapes are within now, but for what is solid below height fields. The next step goes on as if nothing
+/// had been asked: from where shapes were when they moved last, with contacts found anew only where an edit changed something.
 const ContactFinder& current_finder(World& world) {
   const bool edited = world.places_changed;
   if (renew(world.contact_finder, world) || world.contact_finder->displaced) {
     ContactFinder& finder = *world.contact_finder;
     finder.asked_changed = finder.asked_changed || finder.changed;
     finder.asked_displaced = finder.asked_displaced || finder.displaced;
-    const auto kept = std::tuple(finder.shapes_now, finder.points_now, finder.going);  // from which steps go on
+    const auto kept = std::tuple(finder.shapes_now, finder.points_now, finder.going);
     const bool was_changed = finder.changed;
     put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step}, finder);
     if (!was_changed) std::tie(finder.shapes_now, finder.points_now, finder.going) = kept;
