@@ -222,6 +222,8 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
   command->add_flag("--retry-failed", sweep.retry_failed,
                     "Of a sweep that was finished or stopped, runs the failed cases again, with another limit if you "
                     "like, and keeps the others");
+  command->add_flag("--overwrite", sweep.overwrite,
+                    "Begins anew where that table is there already, which is lost; else that is refused");
   command->add_option("--jobs", sweep.jobs, "Processes; 0: one for each processor. The table is the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
@@ -291,7 +293,13 @@ void add_lammps(CLI::App& app, LammpsOptions& lammps, RunOptions& scene, Texts& 
                                       "Has LAMMPS (Debian's packages lammps and openmpi-bin) run a scene, checks that "
                                       "it has the same forces at the start, and "
                                       "saves where all is at the end, for `pantin play STATE`");
+  CLI::Option* dump =
+      runs->add_option("--from-dump", lammps.dump,
+                       "Runs nothing: brings back what LAMMPS wrote elsewhere of this scene's export, as end.dump")
+          ->check(CLI::ExistingFile)
+          ->type_name("FILE");
   runs->add_option("--ranks", lammps.ranks, "Processes; 0: one for each processor")
+      ->excludes(dump)
       ->check(CLI::Range(0, 100000))
       ->type_name("N");
   runs->add_option("--out", lammps.out, "The state at the end [the scene's name and -lammps.pantin]")

@@ -28,7 +28,7 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
   Interrupt interrupt;
   Replay replay(read_recording(file), options, home);
   for (const std::string& remark : replay.remarks()) say(remark);
-  Progress progress(replay.duration());
+  Progress progress(0.0, replay.duration());
   bool told = false;
   const auto past = [&] {
     const World& world = replay.scene().world();

@@ -30,8 +30,8 @@ constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
 void run_to(Scene& scene, double until, std::size_t memory_limit, After after) {
-  Progress progress(until);
   World& world = scene.world();
+  Progress progress(world.time, until);
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
   Headway headway(world, until);

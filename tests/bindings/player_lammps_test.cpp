@@ -257,6 +257,67 @@ TEST_CASE("lammps: a law's narrow barrier is in its table, or is told to be too 
   CHECK_THAT(export_scene(folder, pair("3.2", "0.0002")).err, Contains("something narrow"));
 }
 
+TEST_CASE("lammps: a law's damping, or friction of particles, that is 0 is left out and told") {
+  const Folder folder;
+  const std::string two = R"(
+    scene.box = vec(10, 10, 10)
+    local f = scene:family("f", { attributes = { grip = %GRIP% } })
+    local a = scene:particle { at = vec(1, 1, 1), family = f }
+    local b = scene:particle { at = vec(2, 1, 1), family = f }
+    scene:connect(a, b, force.spring { stiffness = 5, length = 1, damping = %DAMPING% })
+    scene:interact(f, f, force.pair { cutoff = 3, tension = function(r, rate, a, b)
+      return (r - 3) ^ 2 + a.grip * b.grip * rate end })
+    scene:field(f, force.drag { linear = %DRAG% })
+  )";
+  const auto with = [&](const char* grip, const char* damping, const char* drag) {
+    std::string source = two;
+    for (const auto& [name, value] : {std::pair("%GRIP%", grip), {"%DAMPING%", damping}, {"%DRAG%", drag}})
+      source.replace(source.find(name), std::string(name).size(), value);
+    return export_scene(folder, source);
+  };
+  const Finished none = with("0", "0", "0");
+  INFO(none.err);
+  CHECK(none.code == 0);
+  CHECK_THAT(none.out, Contains("damping is 0, so that what depends on velocities or time is left out") &&
+                           Contains("grip is 0") && Contains("linear is 0"));
+  CHECK_THAT(with("1", "0", "0").err, Contains("leave its damping out"));
+  CHECK_THAT(with("0", "1", "0").err, Contains("leave its damping out"));
+  CHECK_THAT(with("0", "0", "1").err, Contains("it depends on velocities"));
+}
+
+TEST_CASE("lammps: a bond's table goes down to no length where its law does, and up to half the box") {
+  const Folder folder;
+  const auto spring = [&](const char* at, const char* law) {
+    return export_scene(folder, std::string("scene.box = vec(10, 10, 10) scene.gravity = vec(0, 0, 0)\n") +
+                                    "local a, b = scene:particle { at = vec(1, 1, 1) }, scene:particle { at = vec(" +
+                                    at + ", 1, 1) }\nscene:connect(a, b, " + law + ")");
+  };
+  const auto distances = [&] {
+    std::istringstream table(read_file(folder / "files/bond.table"));
+    std::vector<double> list;
+    for (std::string line; std::getline(table, line);) {
+      double number = 0, r = 0, energy = 0;
+      if (std::istringstream(line) >> number >> r >> energy) list.push_back(r);
+    }
+    return list;
+  };
+  REQUIRE(spring("2", "force.spring { stiffness = 5, length = 0 }").code == 0);
+  CHECK(distances().front() == Approx(0.0).margin(1e-5));
+  CHECK(distances().back() == Approx(5.0));
+  REQUIRE(spring("2", "force.pair { potential = function(r) return 1 / r + r * r end }").code == 0);
+  CHECK(distances().front() > 1e-4);
+  const Finished island = spring(
+      "2", "force.pair { potential = function(r) return (r - 1) ^ 2 + 0.1 * ((r - 1.285) ^ 2 - 2.5e-5) ^ 0.5 end }");
+  CHECK_THAT(island.err, Contains("it is no finite number at 1.3 m"));
+  for (const char* at : {"5.9", "6.1"})  // the nearest image is the one seen
+    CHECK(spring(at, "force.spring { stiffness = 5 }").code == 0);
+  const Finished across = export_scene(folder, R"(
+    scene.box = vec(10, 4, 10)
+    scene:connect(scene:particle { at = vec(1, 1, 1) }, scene:particle { at = vec(4, 1, 1) }, force.spring { stiffness = 5 })
+  )");
+  CHECK_THAT(across.err, Contains("longer than half an edge of the box") && Contains("make the box larger"));
+}
+
 TEST_CASE("lammps: wrong use is told before anything runs") {
   const Folder folder;
   std::filesystem::create_directories(folder / "files");
@@ -355,6 +416,109 @@ TEST_CASE("lammps: so have a membrane and a mixture, and on 2 and 4 ranks all is
     const double alone = total_energy(source, "1");
     for (const char* ranks : {"2", "4"}) CHECK(total_energy(source, ranks) == Approx(alone).epsilon(1e-9));
   }
+}
+
+TEST_CASE("lammps: sides of a field's choice that are not finite do not spoil the other") {
+  if (!have_lammps()) return;
+  total_energy(R"(
+    scene.step, scene.gravity, scene.box = 0.001, vec(0, 0, 0), vec(10, 10, 10)
+    local f = scene:family("f")
+    for i = 0, 5 do scene:particle { at = vec(1 + 1.5 * i, 5, 5), family = f } end
+    scene:field(f, force.point { force = function(p)
+      local x = p.position.x - 5
+      local root = where(x > 0.01, math.sqrt(x) + math.log(x) + 1 / math.sqrt(x), where(x < -0.5, (-x) ^ -0.7, math.exp(800 * x)))
+      return vec(root, x < 1 and math.asin(x / 9) / x or math.exp(-x), 0)
+    end })
+    scene:interact(f, f, force.pair { cutoff = 3, potential = function(r) return (3 - r) ^ 3 end })
+  )",
+               "1", "0.02");
+}
+
+TEST_CASE("lammps: springs of no length go through it") {
+  if (!have_lammps()) return;
+  total_energy(R"(
+    scene.step, scene.gravity = 0.001, vec(0, 0, 0)
+    local f = scene:family("f")
+    local a, b = scene:particle { at = vec(-1, 0, 0), family = f }, scene:particle { at = vec(1, 0, 0), family = f }
+    scene:connect(a, b, force.spring { stiffness = 20, length = 0 })
+  )",
+               "1", "3");
+}
+
+TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it does here") {
+  if (!have_lammps()) return;
+  const auto [source, steps] = GENERATE(table<const char*, const char*>({{melt, "100"}, {bodies, "80"}}));
+  const Folder folder;
+  const auto bring = [&](const std::string& dump, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"lammps", "scene.lua", "--from-dump", dump, "--out", "dumped.pantin"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return use(folder, arguments);
+  };
+  REQUIRE(run_scene(folder, source, {"--until", "0.4", "--ranks", "1"}).code == 0);
+  const Finished exported = export_scene(folder, source);
+  CHECK_THAT(exported.out, Contains("back: pantin lammps ") && Contains(" --from-dump files/end.dump"));
+  CHECK_THAT(read_file(folder / "files/in.scene"), Contains("--from-dump files/end.dump"));
+  REQUIRE(finish({{"lmp", "-in", "in.scene", "-log", "none", "-var", "steps", steps, "-var", "restart", "40"},
+                  {},
+                  folder / "files",
+                  -1})
+              .code == 0);
+  const Finished run = bring("files/end.dump");
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK_THAT(run.out, Contains("0.4 s: dumped.pantin"));
+  const auto here = state_in(folder), there = lua::open_state(read_file(folder / "dumped.pantin"), "dumped.pantin", {});
+  CHECK(there->world().time == Approx(here->world().time));
+  double apart = 0.0;
+  for (ParticleId id : here->world().particles.ids())
+    apart = std::max(apart, norm(position(here->world(), id) - position(there->world(), id)) +
+                                norm(velocity(here->world(), id) - velocity(there->world(), id)));
+  CHECK(apart < 1e-12);
+
+  const std::string dump = read_file(folder / "files/end.dump");
+  write_file(folder / "two.dump", dump + dump.substr(0, dump.size() / 2));  // ended while the second was written
+  CHECK(bring("two.dump").code == 0);
+  const auto refused = [&](std::string changed, const char* what, const char* by, const char* why) {
+    changed.replace(changed.find(what), std::string(what).size(), by);
+    write_file(folder / "bad.dump", changed);
+    const Finished bad = bring("bad.dump");
+    CHECK(bad.code == 1);
+    CHECK_THAT(bad.err, Contains("bad.dump") && Contains(why));
+  };
+  refused(dump, " xu yu", " xs ys", "it has no column 'xu'");
+  refused(dump, " xu yu zu", " x y z", "it has no column 'xu'");
+  refused(dump, "ITEM: ATOMS", "ITEM: ATOM", "no whole dump");
+  refused(dump, "ITEM: TIMESTEP", "LAMMPS data", "no text dump");
+  refused(dump.substr(0, dump.size() - 5), "ITEM", "ITEM", "no whole dump");
+  CHECK_THAT(bring("files/scene.data").err, Contains("no text dump of LAMMPS"));
+  CHECK_THAT(bring("none.dump").err, Contains("none.dump"));
+  CHECK_THAT(bring("files/end.dump", {"--ranks", "2"}).err, Contains("--ranks"));
+}
+
+TEST_CASE("lammps: a dump of other particles is told as one") {
+  const Folder folder;
+  const auto bring = [&](const std::string& rows) {
+    write_file(folder / "scene.lua", R"(
+      scene:particle { at = vec(0, 0, 0) }
+      scene:body { at = vec(5, 0, 0), points = { { at = vec(-1, 0, 0), mass = 1 }, { at = vec(1, 0, 0), mass = 1 } } }
+    )");
+    write_file(folder / "x.dump",
+               "ITEM: TIMESTEP\n120\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 "
+               "1\nITEM: ATOMS vx vy vz id element x y z\n" +
+                   rows);
+    return use(folder, {"lammps", "scene.lua", "--from-dump", "x.dump", "--out", "back.pantin"});
+  };
+  const Finished good = bring("0 0 1 2 H 4 1 0\n0 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n");
+  INFO(good.err);
+  REQUIRE(good.code == 0);
+  const auto state = state_in(folder);
+  CHECK(state->world().time == Approx(0.5));
+  CHECK(norm(position(state->world(), state->world().particles.ids()[0]) - vec(7, 8, 9)) < 1e-12);
+  CHECK(norm(velocity(state->world(), state->world().particles.ids()[2]) - vec(0, 0, 1)) < 1e-12);
+  CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1 3 H 8 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("another shape in LAMMPS"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1 2 H 6 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("comes twice"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 nan\n0 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("has no finite z"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1\n").err, Contains("no whole dump"));
 }
 
 TEST_CASE("lammps: where it ends is where this program comes to, and the scene goes on from there") {

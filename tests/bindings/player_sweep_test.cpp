@@ -151,32 +151,95 @@ TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table")
     process.signal(SIGKILL);
     process.wait(10.0);
   }
-  REQUIRE(use(cut, arguments).code == 0);
+  if (!std::filesystem::exists(cut / "t.csv")) REQUIRE(use(cut, arguments).code == 0);
   CHECK(read_file(cut / "t.csv") == read_file(whole / "t.csv"));
   CHECK_FALSE(std::filesystem::exists(cut / "t.csv.journal"));
 }
 
 TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or changed by hand, is refused") {
   Folder folder;
-  const std::string path = folder / "t.csv.journal";
+  const std::string table = folder / "t.csv", path = table + ".journal";
   const player::CaseRow row = {7, {{"a", "1"}}, {{"error", "x"}}, {}};
-  { player::Journal(path, "one").add(row); }
+  { player::Journal(table, "one").add(row); }
   const std::string content = read_file(path);
   write_file(path, content + "0123");
-  CHECK(player::Journal(path, "one").rows().at(7).told == row.told);
+  CHECK(player::Journal(table, "one").rows().at(7).told == row.told);
   CHECK(read_file(path) == content);
-  CHECK_THROWS_WITH(player::Journal(path, "two"), Contains("another sweep"));
+  for (const bool overwrite : {false, true})
+    CHECK_THROWS_WITH(player::Journal(table, "two", {false, overwrite}), Contains("another sweep"));
   std::string changed = content;
   changed[changed.find("\"1\"") + 1] = '2';
   write_file(path, changed);
-  CHECK_THROWS_WITH(player::Journal(path, "one"), Contains(":2: this line was changed"));
+  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains(":2: this line was changed"));
 }
 
 TEST_CASE("sweep: two into one table are refused") {
   Folder folder;
-  const std::string path = folder / "t.csv.journal";
-  const player::Journal first(path, "one");
-  CHECK_THROWS_WITH(player::Journal(path, "one"), Contains("another sweep is writing"));
+  const std::string table = folder / "t.csv";
+  const player::Journal first(table, "one");
+  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains("another sweep is writing"));
+}
+
+TEST_CASE("sweep: a table that is there is lost with --overwrite alone, whoever made it") {
+  Folder folder;
+  REQUIRE(sweep_pendulum(folder, {"--set", "length=1,2"}).code == 0);
+  const std::string first = read_file(folder / "t.csv");
+  for (const char* lengths : {"length=1,2", "length=1,2,3"}) {  // the same sweep, and another
+    const Finished refused = sweep_pendulum(folder, {"--set", lengths});
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains("t.csv is there already") && Contains("--overwrite"));
+    CHECK(read_file(folder / "t.csv") == first);
+    CHECK(folder.files() == std::vector<std::string>{"pendulum.lua", "t.csv"});
+  }
+  write_file(folder / "t.csv", first + "a note\n");
+  CHECK(sweep_pendulum(folder, {"--set", "length=1,2"}).code == 2);
+  CHECK(read_file(folder / "t.csv") == first + "a note\n");
+  CHECK(sweep_pendulum(folder, {"--set", "length=1,2", "--overwrite"}).code == 0);
+  CHECK(read_file(folder / "t.csv") == first);
+}
+
+TEST_CASE("sweep: where cases failed, neither the table nor its journal is lost without a word") {
+  Folder folder;
+  REQUIRE(sweep_pendulum(folder, {"--set", "length=4,5"}).code == 0);
+  const std::string table = read_file(folder / "t.csv"), journal = read_file(folder / "t.csv.journal");
+  for (const char* lengths : {"length=4,5", "length=1,2"}) {
+    CHECK_THAT(sweep_pendulum(folder, {"--set", lengths}).err,
+               Contains("t.csv is finished") && Contains("--overwrite"));
+    CHECK(read_file(folder / "t.csv") == table);
+    CHECK(read_file(folder / "t.csv.journal") == journal);
+  }
+  write_file(folder / "t.csv", table + "a note\n");
+  const Finished altered = sweep_pendulum(folder, {"--set", "length=4,5", "--retry-failed"});
+  CHECK(altered.code == 2);
+  CHECK_THAT(altered.err, Contains("t.csv was changed since this sweep wrote it"));
+  CHECK(read_file(folder / "t.csv") == table + "a note\n");
+  CHECK(sweep_pendulum(folder, {"--set", "length=4,5", "--retry-failed", "--overwrite"}).code == 0);
+  CHECK(read_file(folder / "t.csv") == table);
+}
+
+TEST_CASE("sweep: a table that came while it ran stays, and once that is moved the rows are written") {
+  Folder folder;
+  const std::string table = folder / "t.csv";
+  player::Journal journal(table, "one");
+  journal.add({0, {{"a", "1"}}, {}, {}});
+  write_file(table, "mine");
+  CHECK_THROWS_WITH(journal.check_table(), Contains("is there already"));
+  std::filesystem::remove(table);
+  journal.check_table();
+  journal.expect_table("theirs");
+  write_file(table, "theirs");  // killed before the journal goes: the same command is done at once
+  journal.check_table();
+}
+
+TEST_CASE("sweep: without a terminal a line tells now and then how far it is", "[slow]") {
+  Folder folder;
+  write_file(folder / "slow.lua", "local v = scene:param('v', 1) for i = 1, 1e8 do v = v + i end");
+  const Finished run = use(folder, {"sweep", "slow.lua", "--seeds", "1:100000", "--sample", "40", "--until", "0.01",
+                                    "--jobs", "1", "--out", "t.csv", "--script-limit", "100"});
+  INFO(run.err);
+  CHECK(run.code == 0);
+  CHECK_THAT(run.err, Contains("pantin: ") && Contains(" of 40 cases, 0 failed, ") && Contains("s left\n"));
+  CHECK(lines(run.err) <= 11);
 }
 
 TEST_CASE("sweep: processes that mpirun starts come to the same table, or are told that there is no MPI") {
@@ -290,7 +353,7 @@ TEST_CASE("sweep: --retry-failed runs failed cases again, with another limit, an
 }
 
 TEST_CASE(
-    "sweep: where cases failed, the same command begins anew, of a changed scene, too; --retry-failed is then "
+    "sweep: where cases failed, --overwrite begins anew, of a changed scene, too; --retry-failed is then "
     "refused") {
   Folder folder;
   REQUIRE(sweep_pendulum(folder, {"--set", "length=4,5"}).code == 0);
@@ -299,7 +362,7 @@ TEST_CASE(
   std::vector<std::string> same = {"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv", "--set", "length=4,5"};
   same.emplace_back("--retry-failed");
   CHECK_THAT(use(folder, same).err, Contains("another sweep, or its scene was changed"));
-  same.pop_back();
+  same.back() = "--overwrite";
   const Finished again = use(folder, same);
   CHECK(again.out == "2 cases, 1 of them failed: t.csv\n");
   CHECK(again.err.find("going on") == std::string::npos);

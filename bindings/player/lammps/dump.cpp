@@ -3,44 +3,142 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "choreography/resume.hpp"
 #include "edit/edit.hpp"
 #include "scene/errors.hpp"
 #include "scene/files.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
 
-/// Reads numbers from a text.
-class Numbers {
+/// One picture of a text dump: what it is of, the names of its columns, and its rows.
+class Picture {
  public:
-  Numbers(const std::string& content, std::string path)
-      : at_(content.data()), end_(at_ + content.size()), path_(std::move(path)) {}
-
-  /// The rest of the line that begins with a text, which must come.
-  void skip_past(const char* begin) {
-    const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
-    const std::size_t found = rest.find(begin);
-    const std::size_t line = found == std::string_view::npos ? found : rest.find('\n', found);
-    require(line != std::string_view::npos, path_, ": this is no whole dump of LAMMPS");
-    at_ += line + 1;
+  /// Throws Error where it is not whole.
+  Picture(std::string_view content, std::string path) : rest_(content), path_(std::move(path)) {
+    while (!rest_.starts_with("ITEM: ATOMS")) {
+      const std::string_view item = line();
+      if (item.starts_with("ITEM: TIMESTEP")) step = number<double>(line());
+      if (item.starts_with("ITEM: NUMBER OF ATOMS")) count = number<std::size_t>(line());
+      if (item.starts_with("ITEM: BOX BOUNDS"))
+        for (double& edge : edges) edge = extent_of(line());
+    }
+    names_ = words(line().substr(std::string_view("ITEM: ATOMS").size()));
   }
-  template <class T>
-  T next() {
-    while (at_ < end_ && (*at_ == ' ' || *at_ == '\n')) at_++;
-    T value{};
-    const auto [after, error] = std::from_chars(at_, end_, value);
-    require(error == std::errc{}, path_, ": this is no whole dump of LAMMPS, or a number in it is not finite");
-    at_ = after;
-    return value;
+
+  double step = 0.0;
+  std::size_t count = 0;
+  std::array<double, 3> edges{};  // [m] of its box
+
+  bool has(std::initializer_list<const char*> names) const {
+    return std::ranges::all_of(names, [&](const char* name) { return std::ranges::count(names_, name) > 0; });
+  }
+  /// Calls `take` with an atom's number, from 0, and what is in some columns.
+  void each_row(const std::vector<const char*>& columns,
+                const std::function<void(std::size_t, std::span<const double>)>& take) {
+    std::vector<std::size_t> at;
+    for (const char* column : columns) at.push_back(place_of(column));
+    const std::size_t id_at = place_of("id");
+    std::vector<char> seen(count, 0);
+    std::vector<double> values(columns.size());
+    for (std::size_t i = 0; i < count; i++) {
+      const std::vector<std::string_view> row = words(line());
+      require(row.size() >= names_.size(), path_, ": this is no whole dump of LAMMPS");
+      const auto id = number<std::size_t>(row[id_at]);
+      require(id >= 1 && id <= count && !std::exchange(seen[id - 1], 1), path_, ": atom ", id,
+              " comes twice, or is none");
+      for (std::size_t k = 0; k < at.size(); k++) {
+        values[k] = number<double>(row[at[k]]);
+        require(std::isfinite(values[k]), path_, ": atom ", id, " has no finite ", columns[k]);
+      }
+      take(id - 1, values);
+    }
   }
 
  private:
-  const char *at_, *end_;
+  std::string_view rest_;
   std::string path_;
+  std::vector<std::string_view> names_;
+
+  std::string_view line() {
+    const std::size_t end = rest_.find('\n');
+    require(end != std::string_view::npos, path_, ": this is no whole dump of LAMMPS");
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return found;
+  }
+  static std::vector<std::string_view> words(std::string_view from) {
+    std::vector<std::string_view> list;
+    while (true) {
+      const std::size_t begin = from.find_first_not_of(" \t\r");
+      if (begin == std::string_view::npos) return list;
+      from.remove_prefix(begin);
+      list.push_back(from.substr(0, from.find_first_of(" \t\r")));
+      from.remove_prefix(list.back().size());
+    }
+  }
+  template <class T>
+  T number(std::string_view from) const {
+    T value{};
+    const std::size_t begin = std::min(from.find_first_not_of(" \t"), from.size());
+    const auto [after, error] = std::from_chars(from.data() + begin, from.data() + from.size(), value);
+    require(error == std::errc{}, path_, ": '", printable(from), "' is no number; this is no whole dump of LAMMPS");
+    return value;
+  }
+  double extent_of(std::string_view bounds) const {
+    const std::vector<std::string_view> ends = words(bounds);
+    require(ends.size() >= 2, path_, ": this is no whole dump of LAMMPS");
+    return number<double>(ends[1]) - number<double>(ends[0]);
+  }
+  std::size_t place_of(const char* column) const {
+    const auto found = std::ranges::find(names_, column);
+    require(found != names_.end(), path_, ": it has no column '", column,
+            "'; have LAMMPS write: write_dump all custom end.dump id type xu yu zu vx vy vz modify format float %.17g");
+    return static_cast<std::size_t>(found - names_.begin());
+  }
 };
+
+std::string content_of(const std::string& path) {
+  auto content = file_content(path);
+  require(content.has_value(), path, ": LAMMPS wrote no such file");
+  return *std::move(content);
+}
+
+/// Where each picture of a dump begins.
+std::vector<std::size_t> beginnings(const std::string& content) {
+  constexpr const char* first = "ITEM: TIMESTEP";
+  std::vector<std::size_t> list;
+  for (std::size_t at = content.find(first); at != std::string::npos; at = content.find(first, at + 1))
+    list.push_back(at);
+  return list;
+}
+
+LammpsState state_of(Picture picture, const std::string& path, const LammpsSystem& system, bool periodic) {
+  const std::size_t count = system.atoms.size();
+  require(picture.count == count, path, ": it has ", picture.count, " atoms, and the scene has ", count,
+          ": LAMMPS lost some, or it is of another scene");
+  std::vector<const char*> columns = {"xu", "yu", "zu", "vx", "vy", "vz"};
+  const bool unwrapped = picture.has({"xu", "yu", "zu"}), turns = picture.has({"ix", "iy", "iz"});
+  if (!unwrapped && picture.has({"x", "y", "z"}) && (turns || !periodic)) columns = {"x", "y", "z", "vx", "vy", "vz"};
+  if (!unwrapped && turns) columns.insert(columns.end(), {"ix", "iy", "iz"});
+  const bool typed = picture.has({"type"});
+  if (typed) columns.push_back("type");
+  LammpsState state{picture.step, DumpedAtoms(count)};
+  picture.each_row(columns, [&](std::size_t atom, std::span<const double> row) {
+    require(!typed || row.back() == system.type_of[atom], path, ": atom ", atom + 1, " is of another type than ",
+            "particle ", atom + 1, " of the scene: it is of another scene, or of other --set");
+    for (std::size_t k = 0; k < 6; k++) state.atoms[atom][k] = row[k];
+    for (std::size_t k = 0; k < 3 && !unwrapped && turns; k++) state.atoms[atom][k] += row[6 + k] * picture.edges[k];
+  });
+  return state;
+}
 
 /// Axes along two directions, the first exactly.
 Mat3 axes_along(Vec3 first, Vec3 second) {
@@ -113,6 +211,18 @@ Vec3 part(const DumpedAtoms& atoms, std::uint32_t atom, std::size_t from) {
   return vec(atoms[atom][from], atoms[atom][from + 1], atoms[atom][from + 2]);
 }
 
+/// The dump of another scene tears bodies.
+void check_shape(const World& world, BodyId body, const std::vector<Vec3>& x) {
+  const std::vector<PointId>& points = world.bodies[body].points;
+  double size = 0.0, missed = 0.0;
+  for (std::size_t i = 0; i < x.size(); i++) {
+    size = std::max({size, norm(x[i] - x[0]), 1e-9 * norm(x[i])});
+    missed = std::max(missed, norm(x[i] - position(world, points[i])));
+  }
+  require(missed <= 1e-6 * size, describe(world, body), " has another shape in LAMMPS, by ", rounded(missed),
+          " m: the dump is of another scene, or of other --set");
+}
+
 void put_body(World& world, BodyId body, const std::vector<std::uint32_t>& atom_of, const DumpedAtoms& atoms) {
   std::vector<Vec3> x, v;
   for (PointId point : world.bodies[body].points) {
@@ -128,30 +238,33 @@ void put_body(World& world, BodyId body, const std::vector<std::uint32_t>& atom_
   const Motion& motion = world.motion_of(body);
   const Vec3 own = rotate(conjugate(motion.q), state.angular);
   set_spin(world, body, rotate(motion.q, own * inverse_inertia(motion)));
+  check_shape(world, body, x);
 }
 
 }  // namespace
 
-DumpedAtoms read_dump(const std::string& path, std::size_t count, std::size_t columns) {
-  const auto content = file_content(path);
-  require(content.has_value(), path, ": LAMMPS wrote no such file");
-  Numbers numbers(*content, path);
-  numbers.skip_past("ITEM: NUMBER OF ATOMS");
-  const auto told = numbers.next<std::size_t>();
-  require(told == count, path, ": it has ", told, " atoms, and there were ", count, ": LAMMPS lost some");
-  numbers.skip_past("ITEM: ATOMS");
-  DumpedAtoms atoms(count);
-  std::vector<char> seen(count, 0);
-  for (std::size_t i = 0; i < count; i++) {
-    const auto id = numbers.next<std::size_t>();
-    require(id >= 1 && id <= count && !std::exchange(seen[id - 1], 1), path, ": atom ", id, " comes twice, or is none");
-    for (std::size_t k = 0; k < columns; k++) {
-      atoms[id - 1][k] = numbers.next<double>();
-      require(std::isfinite(atoms[id - 1][k]), path, ": atom ", id,
-              " is not at a finite place, or not of a finite velocity");
-    }
-  }
-  return atoms;
+std::vector<Vec3> read_forces(const std::string& path, std::size_t count) {
+  const std::string content = content_of(path);
+  Picture picture(content, path);
+  require(picture.count == count, path, ": it has ", picture.count, " atoms, and there were ", count,
+          ": LAMMPS lost some");
+  std::vector<Vec3> forces(count);
+  picture.each_row({"fx", "fy", "fz"},
+                   [&](std::size_t atom, std::span<const double> row) { forces[atom] = vec(row[0], row[1], row[2]); });
+  return forces;
+}
+
+LammpsState read_state(const std::string& path, const LammpsSystem& system, bool periodic) {
+  const std::string content = content_of(path);
+  const std::vector<std::size_t> begins = beginnings(content);
+  require(!begins.empty(), path, ": this is no text dump of LAMMPS");
+  const auto read = [&](std::size_t begin) {
+    return state_of(Picture(std::string_view(content).substr(begin), path), path, system, periodic);
+  };
+  if (begins.size() == 1) return read(begins.back());
+  try {
+    return read(begins.back());
+  } catch (const Error&) { return read(begins[begins.size() - 2]); }  // LAMMPS was ended while it wrote the last
 }
 
 void bring_back(World& world, const LammpsSystem& system, DumpedAtoms atoms, double time) {

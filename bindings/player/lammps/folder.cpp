@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "base/bounds.hpp"
@@ -45,14 +46,16 @@ class Text {
   }
 };
 
-void write_file(const std::string& folder, const char* name, const std::string& content) {
+bool has_file(const std::string& folder, const std::string& name) { return fs::exists(fs::path(folder) / name); }
+
+void write_file(const std::string& folder, const std::string& name, const std::string& content) {
   Output output((fs::path(folder) / name).string());
   output.write(content);
   output.keep();
 }
 
 /// Of an export before.
-void remove_file(const std::string& folder, const char* name) {
+void remove_file(const std::string& folder, const std::string& name) {
   std::error_code ignored;
   fs::remove(fs::path(folder) / name, ignored);
 }
@@ -135,7 +138,16 @@ std::string data_text(const World& world, const LammpsSystem& system, const std:
   return out.take();
 }
 
-std::string table_text(const std::vector<LammpsTable>& tables, bool of_pairs) {
+/// LAMMPS reads a file from its beginning up to each table that it looks for: more than so many are in several.
+constexpr std::size_t tables_in_a_file = 8;
+
+/// The file of a table by its number: "pair.table", "pair2.table", …
+std::string table_file(const char* of, std::size_t number) {
+  const std::size_t file = number / tables_in_a_file;
+  return text(of, file > 0 ? text(file + 1) : "", ".table");
+}
+
+std::string table_text(std::span<const LammpsTable> tables, bool of_pairs) {
   Text out;
   out << "# distance m, energy J, force N\n";
   for (const LammpsTable& t : tables) {
@@ -189,8 +201,9 @@ std::string pair_laws_text(const LammpsSystem& system, bool by_tables) {
     for (const PairCoefficient& c : sub.coefficients) {
       const LammpsTable& t = system.pair_tables[c.table];
       covered.insert({c.a, c.b});
-      out += text("pair_coeff ", c.a, ' ', c.b, ' ', style, ' ', number,
-                  by_tables ? "pair.table " + t.name : '"' + t.lepton + '"', ' ', t.table.to(), "\n");
+      out +=
+          text("pair_coeff ", c.a, ' ', c.b, ' ', style, ' ', number,
+               by_tables ? table_file("pair", c.table) + " " + t.name : '"' + t.lepton + '"', ' ', t.table.to(), "\n");
     }
   }
   for (int a = 1; a <= static_cast<int>(system.types.size()); a++)
@@ -210,7 +223,8 @@ std::string laws_text(const LammpsSystem& system, bool by_tables) {
                    : std::string("bond_style lepton\n");
   for (std::size_t i = 0; i < system.bond_tables.size(); i++) {
     const LammpsTable& t = system.bond_tables[i];
-    out += text("bond_coeff ", i + 1, by_tables ? " bond.table " + t.name : " 0.0 \"" + t.lepton + "\"", "\n");
+    out += text("bond_coeff ", i + 1,
+                by_tables ? " " + table_file("bond", i) + " " + t.name : " 0.0 \"" + t.lepton + "\"", "\n");
   }
   return out;
 }
@@ -248,6 +262,7 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
   for (std::size_t i = 0; i < system.types.size(); i++)
     out += text("# Type ", i + 1, ": ", words(describe(world, system, system.types[i])), ", ", system.types[i].mass,
                 " kg, ", system.types[i].count, " of them\n");
+  if (!task.back.empty()) out += "# Back into the scene: " + words(task.back) + "\n";
   for (const std::string& note : task.notes) out += "# Note: " + words(note) + "\n";
   return out;
 }
@@ -311,7 +326,7 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
   const char* const side = world.settings.box ? "p" : "m";
   std::string out = header_text(world, system, task, lepton);
   out += text("\nvariable steps index ", task.steps, "\nvariable every index ", task.every,
-              "\nvariable laws index tables\nvariable check index no\n\n");
+              "\nvariable restart index 0\nvariable laws index tables\nvariable check index no\n\n");
   out += text("units lj\nboundary ", side, ' ', side, ' ', side, "\natom_style ",
               has_molecules(system) ? "bond" : "atomic",
               "\natom_modify map array\nread_data scene.data\ninclude laws.${laws}\n");
@@ -327,12 +342,29 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
       "if \"${check} == yes\" then \"write_dump all custom start.dump id fx fy fz modify format float %.17g\" &\n"
       "  \"print 'pantin: start.dump is there'\"\n\n";
   out += motion_text(world, system);
-  out += "thermo ${every}\nrun ${steps}\n";
+  out +=
+      "thermo ${every}\n"
+      "if \"${restart} > 0\" then \"restart ${restart} first.restart second.restart\"\n"
+      "run ${steps}\n";
   out += text("print \"pantin: energy at the end $(", law_energy(system), ":%.17g)\"\n");
   out +=
       "\n# Where all is at the end, not wrapped into the box.\n"
-      "write_dump all custom end.dump id xu yu zu vx vy vz modify format float %.17g\n";
+      "write_dump all custom end.dump id type xu yu zu vx vy vz modify format float %.17g\n";
   return out;
+}
+
+/// And takes away those of an export before.
+void write_tables(const std::string& folder, const char* of, bool of_pairs, std::span<const LammpsTable> tables) {
+  for (std::size_t first = 0; first == 0 || first < tables.size() || has_file(folder, table_file(of, first));
+       first += tables_in_a_file) {
+    const std::string name = table_file(of, first);
+    if (first >= tables.size()) {
+      remove_file(folder, name);
+      continue;
+    }
+    const std::size_t count = std::min(tables_in_a_file, tables.size() - first);
+    write_file(folder, name, table_text(tables.subspan(first, count), of_pairs));
+  }
 }
 
 }  // namespace
@@ -341,9 +373,8 @@ void write_lammps(const std::string& folder, const World& world, const LammpsSys
   make_folder(folder);
   const bool lepton = all_lepton(system);
   write_file(folder, "scene.data", data_text(world, system, task.name));
-  for (const char* old : {"pair.table", "bond.table"}) remove_file(folder, old);
-  if (!system.pair_tables.empty()) write_file(folder, "pair.table", table_text(system.pair_tables, true));
-  if (!system.bond_tables.empty()) write_file(folder, "bond.table", table_text(system.bond_tables, false));
+  write_tables(folder, "pair", true, system.pair_tables);
+  write_tables(folder, "bond", false, system.bond_tables);
   write_file(folder, "laws.tables", laws_text(system, true));
   if (lepton)
     write_file(folder, "laws.lepton", laws_text(system, false));

@@ -14,6 +14,7 @@ struct LammpsTask {
   std::uint64_t steps = 0;
   std::uint64_t every = 1;         ///< steps from line to line
   double law_energy = 0.0;         ///< [J] of all laws here, at the beginning
+  std::string back;                ///< the command that brings its end back; empty: none is told
   std::vector<std::string> notes;  ///< what is done otherwise than here, a sentence each
 };
 

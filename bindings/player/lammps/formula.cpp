@@ -1,7 +1,9 @@
 #include "player/lammps/formula.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -12,17 +14,33 @@ constexpr std::size_t most_text = 65536;
 
 std::string number(double value) { return value < 0.0 ? text('(', value, ')') : to_text(value); }
 
+/// Of a function that is not finite everywhere; else null.
+const char* harmless_argument(Function f) {
+  switch (f) {
+    case Function::log:
+    case Function::power: return "1";
+    case Function::exp:
+    case Function::sinh:
+    case Function::cosh:
+    case Function::tanh:
+    case Function::tan:
+    case Function::asin:
+    case Function::acos: return "0";
+    default: return nullptr;
+  }
+}
+
 class Writer {
  public:
   Writer(const Expressions& graph, FormulaFor reader, const std::function<std::string(const Input&)>& value_of)
       : graph_(graph), reader_(reader), value_of_(value_of) {}
 
   const std::string& of(Expr e) {
-    const auto known = texts_.find(e);
+    const auto known = texts_.find({e, where_});
     if (known != texts_.end()) return known->second;
     std::string made = write(graph_[e]);
     require(made.size() <= most_text, "its formula has more than 64 kB");
-    return texts_.emplace(e, std::move(made)).first->second;
+    return texts_.emplace(std::pair(e, where_), std::move(made)).first->second;
   }
 
  private:
@@ -32,7 +50,10 @@ class Writer {
   const Expressions& graph_;
   FormulaFor reader_;
   const std::function<std::string(const Input&)>& value_of_;
-  std::map<Expr, std::string> texts_;
+  /// Of a side of a choice, for LAMMPS' variables, which know none and multiply both sides by 1 or 0: 1 where it is taken.
+  /// Elsewhere it must be finite all the same, and no division by 0, which ends the run. Empty: it is taken everywhere.
+  std::string where_;
+  std::map<std::pair<Expr, std::string>, std::string> texts_;  // by that
 
   std::string write(const Node& node) {
     switch (node.kind) {
@@ -66,21 +87,44 @@ class Writer {
     return "(" + all + ")";
   }
 
+  /// An argument as it is where it matters, elsewhere one that is harmless.
+  std::string harmless(const std::string& x, const char* elsewhere) const {
+    return where_.empty() ? x : text('(', where_, '*', x, "+(1-", where_, ")*", elsewhere, ')');
+  }
+
+  std::string side(Expr e, const std::string& taken) {
+    const std::string before = where_;
+    where_ = before.empty() ? taken : text('(', before, '*', taken, ')');
+    std::string made = of(e);
+    where_ = before;
+    return made;
+  }
+
+  std::string choice(const Node& node) {
+    const std::string condition = of(node.terms[0].first), otherwise = "(1-" + condition + ")";
+    return text('(', condition, '*', side(node.terms[1].first, condition), '+', otherwise, '*',
+                side(node.terms[2].first, otherwise), ')');
+  }
+
   std::string power(Expr base, double exponent) {
     const Node& node = graph_[base];
     if (node.kind == Kind::input && graph_.inputs()[node.index].role == Role::distance2)
       return exponent == 0.5 ? std::string("r") : "(r^" + number(2.0 * exponent) + ")";
     if (exponent == 1.0) return of(base);
-    if (exponent == 0.5) return "sqrt(" + of(base) + ")";
-    if (exponent == -1.0) return "(1/" + of(base) + ")";
-    return "(" + of(base) + "^" + number(exponent) + ")";
+    const bool has_all = exponent > 0.0 && exponent == std::floor(exponent);
+    const std::string x = has_all ? of(base) : harmless(of(base), "1");
+    if (exponent == 0.5) return "sqrt(" + x + ")";
+    if (exponent == -1.0) return "(1/" + x + ")";
+    return "(" + x + "^" + number(exponent) + ")";
   }
 
   std::string function(const Node& node) {
     require(node.function != Function::spline, "it is made of a table of points");
+    const bool lepton = reader_ == FormulaFor::lepton;
+    if (node.function == Function::select && !lepton) return choice(node);
     std::array<std::string, 3> x;
     for (std::size_t i = 0; i < node.terms.size(); i++) x[i] = of(node.terms[i].first);
-    const bool lepton = reader_ == FormulaFor::lepton;
+    if (const char* const elsewhere = harmless_argument(node.function)) x[0] = harmless(x[0], elsewhere);
     const auto call = [&](const char* name) {
       std::string all = text(name, '(', x[0]);
       for (std::size_t i = 1; i < node.terms.size(); i++) all += "," + x[i];
@@ -106,8 +150,7 @@ class Writer {
       case Function::maximum: return lepton ? call("max") : chosen(x[1], ">", x[0]);
       case Function::less: return lepton ? "(1-step(" + x[0] + "-" + x[1] + "))" : "(" + x[0] + "<" + x[1] + ")";
       case Function::less_or_equal: return lepton ? "step(" + x[1] + "-" + x[0] + ")" : "(" + x[0] + "<=" + x[1] + ")";
-      case Function::select:  // conditions are 1 or 0
-        return lepton ? call("select") : "(" + x[0] + "*" + x[1] + "+(1-" + x[0] + ")*" + x[2] + ")";
+      case Function::select: return call("select");
       case Function::spline: break;
     }
     return "";

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -52,11 +53,17 @@ std::vector<std::string> notes_of(const Scene& scene, const LammpsSystem& system
       if (const std::string note = "the law " + t.law + " has no energy, here and there: LAMMPS' total is without it";
           !t.has_energy && std::ranges::find(notes, note) == notes.end())
         notes.push_back(note);
+  std::map<std::string, std::pair<double, double>> inner;  // of each law how far off it is, below what distance
   for (const auto* list : {&system.pair_tables, &system.bond_tables})
-    for (const LammpsTable& t : *list)
-      if (t.table.inner_error > 0.0)
-        notes.push_back(text("the table of ", t.law, " is off by up to ", rounded(t.table.inner_error), " below ",
-                             rounded(t.table.good_from), " m, nearer than anything is now"));
+    for (const LammpsTable& t : *list) {
+      if (t.table.inner_error == 0.0) continue;
+      auto& [error, below] = inner[t.law];
+      error = std::max(error, t.table.inner_error), below = std::max(below, t.table.good_from);
+    }
+  for (const auto& [law, off] : inner)
+    notes.push_back(text("the table of ", law, " is off by up to ", rounded(off.first), " below ", rounded(off.second),
+                         " m, nearer than anything is now"));
+  notes.insert(notes.end(), system.notes.begin(), system.notes.end());
   if (!world.probes.empty()) notes.push_back(text(world.probes.size(), " probes are not recorded while LAMMPS runs"));
   if (!system.bodies.empty()) notes.push_back(text(system.bodies.size(), " rigid bodies, a molecule each"));
   return notes;
@@ -73,6 +80,14 @@ void check_turns(const World& world, const LammpsSystem& system, double seconds,
       reserve * fastest * seconds < most, "at ", rounded(fastest), " m/s for ", seconds,
       " s a particle may go round the box more often than the 500 times that LAMMPS counts: let it run in pieces of ",
       rounded(most / (reserve * fastest)), " s or less (--until)");
+}
+
+void check_scene(const Scene& scene, double until) {
+  const std::vector<std::string> refused = refused_by_lammps(scene, until);
+  if (refused.empty()) return;
+  std::string all = text(scene.file(), " has what LAMMPS cannot be given:");
+  for (const std::string& one : refused) all += "\n  " + one;
+  throw Error(all);
 }
 
 /// A scene as LAMMPS is given it.
@@ -94,12 +109,7 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
     throw UsageError(text("the end, ", until, " s, is less than half a step of ", world.settings.step, " s away from ",
                           world.time, " s"));
   require(steps <= most_steps, "LAMMPS does at most 2e9 steps in a run, and these are ", steps);
-  const std::vector<std::string> refused = refused_by_lammps(*given.scene, until);
-  if (!refused.empty()) {
-    std::string all = text(given.scene->file(), " has what LAMMPS cannot be given:");
-    for (const std::string& one : refused) all += "\n  " + one;
-    throw Error(all);
-  }
+  check_scene(*given.scene, until);
   given.system = lammps_system(world, options.error);
   check_turns(world, given.system, steps * world.settings.step, 2.0);
   given.forces = present_forces(world);
@@ -120,13 +130,13 @@ class Check {
   /// Throws Error where it is not what the tables promise.
   void look(const std::string& folder, double energy) {
     const LammpsSystem& system = given_.system;
-    const DumpedAtoms told = read_dump((fs::path(folder) / "start.dump").string(), system.atoms.size(), 3);
+    const std::vector<Vec3> told = read_forces((fs::path(folder) / "start.dump").string(), system.atoms.size());
     double largest = system.usual_force, missed = 0.0;
     std::uint32_t worst = 0;
     for (std::uint32_t i = 0; i < system.atoms.size(); i++) {
       const Vec3 ours = given_.forces.on[system.atoms[i].slot - 1];
       largest = std::max(largest, norm(ours));
-      const double off = norm(ours - vec(told[i][0], told[i][1], told[i][2]));
+      const double off = norm(ours - told[i]);
       if (off > missed) missed = off, worst = i;
     }
     if (largest > 0.0) force_error_ = missed / largest;
@@ -181,7 +191,7 @@ class Check {
 class Listener {
  public:
   Listener(const Given& given, std::string folder)
-      : given_(given), folder_(std::move(folder)), check_(given), progress_(given.until) {}
+      : given_(given), folder_(std::move(folder)), check_(given), progress_(given.scene->world().time, given.until) {}
 
   void hear(const std::string& line) {
     if (!begun_ && line.starts_with("pantin: energy ")) energy_ = std::strtod(line.c_str() + 15, nullptr);
@@ -224,6 +234,36 @@ void remove_dumps(const std::string& folder) {
   for (const char* name : {"start.dump", "end.dump"}) fs::remove(fs::path(folder) / name, failed);
 }
 
+std::string state_name(const LammpsOptions& options, const LammpsScene& scene) {
+  return options.out.empty() ? scene_name(scene.path) + "-lammps" + state_ending : options.out;
+}
+
+/// What LAMMPS wrote elsewhere, as a state of the scene.
+int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
+  const std::string out = state_name(options, wanted);
+  const std::unique_ptr<Scene> scene = open(wanted);
+  World& world = scene->world();
+  Output(out).drop();
+  const LammpsSystem system = lammps_atoms(world);
+  LammpsState state = read_state(options.dump, system, world.settings.box.has_value());
+  const double time = wanted.until.value_or(world.time + state.step * world.settings.step);
+  require(time >= world.time, options.dump, ": it would be at ", time, " s, and the scene begins at ", world.time,
+          " s");
+  check_scene(*scene, time);
+  bring_back(world, system, std::move(state.atoms), time);
+  save_state(*scene, out);
+  std::printf("%zu particles of step %.0f, %.10g J by all laws; %g s: %s (pantin play %s)\n", system.atoms.size(),
+              state.step, present_forces(world).energy, time, out.c_str(), out.c_str());
+  return 0;
+}
+
+/// The command that does so of a folder's last dump.
+std::string way_back(const std::string& folder, const LammpsScene& scene) {
+  std::string command = "pantin lammps " + scene.path;
+  for (const auto& [name, value] : scene.options.set) command += text(" --set ", name, '=', value);
+  return text(command, " --from-dump ", (fs::path(folder) / "end.dump").string());
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -233,18 +273,21 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 int export_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  const Given given = give(options, scene);
+  Given given = give(options, scene);
+  given.task.back = way_back(options.folder, scene);
   write_lammps(options.folder, given.scene->world(), given.system, given.task);
   for (const std::string& note : given.task.notes) std::printf("note: %s\n", note.c_str());
-  std::printf("%zu particles of %zu types, %zu bonds, %zu bodies in %.1f s: cd %s && lmp -in in.scene\n",
+  std::printf("%zu particles of %zu types, %zu bonds, %zu bodies in %.1f s: cd %s && lmp -in in.scene\nback: %s\n",
               given.system.atoms.size(), given.system.types.size(), given.system.bonds.size(),
-              given.system.bodies.size(), seconds_since(start), options.folder.c_str());
+              given.system.bodies.size(), seconds_since(start), options.folder.c_str(),
+              way_back(options.folder, scene).c_str());
   return 0;
 }
 
 int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   Interrupt interrupt;
-  const std::string out = options.out.empty() ? scene_name(scene.path) + "-lammps" + state_ending : options.out;
+  if (!options.dump.empty()) return bring_dump(options, scene);
+  const std::string out = state_name(options, scene);
   const std::string folder = options.folder.empty() ? fs::path(out).replace_extension("").string() : options.folder;
   const int ranks =
       options.ranks > 0 ? options.ranks : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -262,7 +305,8 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   run_lmp(folder, ranks, [&](const std::string& line) { listener.hear(line); });
   require(listener.check().done(), "LAMMPS did not tell its forces at the beginning (",
           (fs::path(folder) / "log.lammps").string(), ")");
-  bring_back(world, given.system, read_dump((fs::path(folder) / "end.dump").string(), given.system.atoms.size(), 6),
+  bring_back(world, given.system,
+             read_state((fs::path(folder) / "end.dump").string(), given.system, world.settings.box.has_value()).atoms,
              given.until);
   listener.look_at_end();
   check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);

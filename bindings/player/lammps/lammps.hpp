@@ -11,6 +11,7 @@ namespace pantin::player {
 struct LammpsOptions {
   std::string folder;   ///< for its files; of `lammps` empty: the state's name without its ending
   std::string out;      ///< the state that is brought back; empty: the scene's name and -lammps.pantin
+  std::string dump;     ///< that LAMMPS wrote elsewhere, to be brought back; empty: it is run
   int ranks = 0;        ///< processes; 0: one for each processor
   double error = 1e-6;  ///< of tables, see TableWish
 };
@@ -24,7 +25,7 @@ struct LammpsScene {
 
 /// `pantin export SCENE --lammps FOLDER`: writes what `lmp` runs. Returns the exit code; throws UsageError, Error.
 int export_lammps(const LammpsOptions& options, const LammpsScene& scene);
-/// `pantin lammps SCENE`: has `lmp` run it, and saves where all is then as a state of the scene.
+/// `pantin lammps SCENE`: has `lmp` run it, and saves where all is then as a state of the scene; with a dump that alone.
 int run_lammps(const LammpsOptions& options, const LammpsScene& scene);
 
 }  // namespace pantin::player

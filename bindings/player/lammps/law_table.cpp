@@ -175,6 +175,9 @@ class TableMaker {
     double from = beginning();
     const double to = wish_.to > 0.0 ? wish_.to : end();
     make_between(from, to);
+    require(not_finite_ < 0.7 * nearest_, law_.name(), ": it is no finite number at ", rounded(not_finite_),
+            " m, which is between the ends of its table, ", rounded(from), " and ", rounded(to),
+            " m; make it finite there, or end it before by a cutoff");
     require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", table_.r.size(),
             " points follows it to an error of ", wish_.error, " from ", rounded(table_.from()), " to ",
             rounded(table_.to()), " m, down from ", rounded(table_.good_from),
@@ -182,7 +185,7 @@ class TableMaker {
             "ask for a "
             "larger --error, a shorter cutoff, or make it smooth");
     for (int attempt = 0; attempt < 8 && table_.inner_error > most_inner; attempt++) {
-      from = 0.3 * from + 0.7 * table_.good_from;
+      from = std::sqrt(from * table_.good_from);
       make_between(from, to);
     }
     require(table_.inner_error <= most_inner, law_.name(), ": no table follows it to an error of ", wish_.error,
@@ -198,6 +201,7 @@ class TableMaker {
   double largest_energy_ = 0.0, largest_force_ = 0.0;  // [J], [N] there
   double energy_size_ = 0.0, force_size_ = 0.0;        // [J], [N]
   double far_ = far_straight;
+  double not_finite_ = 0.0;  // [m] the farthest at which it was not
 
   double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
   double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
@@ -246,14 +250,16 @@ class TableMaker {
   double beginning() const {
     double r = nearest_;
     while (r > 0.01 * nearest_ && !is_far(r * 0.97)) r *= 0.97;
-    return r;
+    // LAMMPS follows a bond's table from there down to nothing.
+    const double almost_none = 1e-6 * nearest_;
+    return r <= 0.01 * nearest_ && wish_.over == TableOver::distance && !is_far(almost_none) ? almost_none : r;
   }
 
   /// The same of a bond's other end.
   double end() const {
     double r = farthest_;
     while (r < 8.0 * farthest_ && !is_far(r * 1.03)) r *= 1.03;
-    return r;
+    return std::min(r, wish_.most);
   }
 
   void make_between(double from, double to) {
@@ -262,12 +268,17 @@ class TableMaker {
     const std::size_t most = table_.spline ? most_splined : most_straight;
     for (std::size_t n = wish_.points;;) {
       sample(from, to, kinks, n);
-      if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) look_closely();
-      if (std::max(table_.error, table_.inner_error) <= wish_.error || n >= most) return;
+      const auto done = [&] {
+        return std::max(table_.error, table_.inner_error) <= wish_.error || n >= most ||
+               (n >= wish_.enough && table_.good_from < 0.5 * nearest_);
+      };
+      if (done()) look_closely();
+      if (done()) return;
       // The error goes with the second or fourth power of the spacing.
       const double finer = std::pow(std::min(std::max(table_.error, table_.inner_error) / wish_.error, 1e30),
                                     table_.spline ? 0.25 : 0.5);
-      n = std::min(most, n * std::bit_floor(static_cast<std::size_t>(std::clamp(finer, 2.0, 1024.0))));
+      const std::size_t next = n * std::bit_floor(static_cast<std::size_t>(std::clamp(finer, 2.0, 1024.0)));
+      n = std::min(n < wish_.enough ? std::min(next, wish_.enough) : next, most);
     }
   }
 
@@ -291,6 +302,7 @@ class TableMaker {
     within.back() = r.back() * (1.0 - 2.0 * one);  // at a cutoff the law is another
     std::vector<LawOfDistance::Value> values = law_.at(within);
     keep(r, values);
+    for (std::size_t i = 0; i < r.size(); i++) note_finite(r[i], values[i]);
     energy_ = curve(values, r, &LawOfDistance::Value::energy);
     force_ = curve(values, r, &LawOfDistance::Value::force);
     table_.error = table_.inner_error = 0.0;
@@ -311,14 +323,21 @@ class TableMaker {
       at.push_back((over(r.back()) - low) / (high - low) * pieces);
     }
     const std::vector<LawOfDistance::Value> values = law_.at(r);
-    for (std::size_t k = 0; k < places; k++) hold_against(at[k], r[k], values[k]);
+    for (std::size_t k = 0; k < places; k++) {
+      note_finite(r[k], values[k]);
+      hold_against(at[k], r[k], values[k]);
+    }
+  }
+
+  void note_finite(double r, const LawOfDistance::Value& v) {
+    if (!std::isfinite(v.energy) || !std::isfinite(v.force)) not_finite_ = std::max(not_finite_, r);
   }
 
   /// At a place counted in points; from the last to the first.
   void hold_against(double at, double r, const LawOfDistance::Value& v) {
     const double push = force_.at(at) * (wish_.over == TableOver::square ? r : 1.0);
-    const double missed =
-        std::max(missing(energy_.at(at), v.energy, energy_size_), missing(push, v.force, force_size_));
+    double missed = std::max(missing(energy_.at(at), v.energy, energy_size_), missing(push, v.force, force_size_));
+    if (!std::isfinite(missed)) missed = infinity;
     const double begin = table_.r[static_cast<std::size_t>(at)];
     if (missed <= wish_.error && (table_.inner_error == 0.0 || r > table_.good_from)) {
       table_.error = std::max(table_.error, missed);
@@ -326,7 +345,7 @@ class TableMaker {
     } else if (missed > wish_.error) {
       if (table_.inner_error == 0.0 || r > table_.good_from)
         table_.good_from = table_.r[std::min(static_cast<std::size_t>(at) + 1, table_.r.size() - 1)];
-      table_.inner_error = std::isfinite(missed) ? std::max(table_.inner_error, missed) : infinity;
+      table_.inner_error = std::max(table_.inner_error, missed);
     } else {
       table_.inner_error = std::max(table_.inner_error, missed);
     }
@@ -401,6 +420,14 @@ class TableMaker {
 };
 
 }  // namespace
+
+LawTable times(LawTable table, double factor) {
+  for (auto* column : {&table.energy, &table.force})
+    for (double& value : *column) value *= factor;
+  for (double* value : {&table.slope_from, &table.slope_to}) *value *= factor;
+  for (double* value : {&table.usual_energy, &table.usual_force, &table.stiffness}) *value *= std::abs(factor);
+  return table;
+}
 
 LawTable make_table(LawOfDistance& law, const TableWish& wish) { return TableMaker(law, wish).make(); }
 

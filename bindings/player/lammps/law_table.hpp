@@ -1,6 +1,7 @@
 #pragma once
 // A central law of a pair as LAMMPS reads it: values at distances, between which it interpolates.
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,12 +20,14 @@ struct TableWish {
   std::vector<double> distances;  ///< [m] of such pairs that there are now, at least one
   double to =
       0.0;  ///< [m] where it ends: of a pair its cutoff, of a bond 0: where its energy is far from what it is now
+  double most = std::numeric_limits<double>::infinity();  ///< [m] where that of a bond ends at the latest
   double error =
       1e-6;  ///< of energy and force between its points, relative to the value there, or to the usual one now
              ///< where that is more
-  double kinetic = 0.0;      ///< [J] the largest of a particle now, which a pair may take up
-  std::size_t points = 256;  ///< at least
-  bool straight = false;     ///< by straight lines in any case
+  double kinetic = 0.0;                       ///< [J] the largest of a particle now, which a pair may take up
+  std::size_t points = 256;                   ///< at least
+  std::size_t enough = std::size_t{1} << 18;  ///< where it is as exact as wished from half of the nearest distance on
+  bool straight = false;                      ///< by straight lines in any case
 };
 
 struct LawTable {
@@ -82,5 +85,8 @@ class LawOfDistance {
 
 /// Samples a law so densely that the wish is met. Throws Error where no table can.
 LawTable make_table(LawOfDistance& law, const TableWish& wish);
+
+/// That of the law times a factor.
+LawTable times(LawTable table, double factor);
 
 }  // namespace pantin::player

@@ -6,6 +6,7 @@
 #include "choreography/choreography.hpp"
 #include "laws/curve.hpp"
 #include "laws/law.hpp"
+#include "player/lammps/live_laws.hpp"
 #include "world/checks.hpp"
 
 namespace pantin::player {
@@ -167,31 +168,34 @@ std::string why_not(const Law& law, bool of_pair) {
   if (law.velocity_dependent && !law.thermal)
     return of_pair ? "it depends on velocities; leave its damping out, and cool by force.thermostat"
                    : "it depends on velocities; of these LAMMPS gets force.thermostat alone";
-  return law.also ? why_not(*law.also, of_pair) : "";
+  if (!law.also) return "";
+  const std::string why = why_not(*law.also, of_pair);
+  return why.empty() ? "it has a part without energy beside one with; make them two laws" : why;
 }
 
-void look_at_law(const ForceElement& element, bool of_pair, Refusals& refusals) {
+void look_at_law(const ForceElement& element, bool of_pair, LiveLaws& laws, Refusals& refusals) {
   if (!element.enabled || !element.law) return;
-  if (const std::string why = why_not(*element.law, of_pair); !why.empty())
+  if (const std::string why = why_not(*laws.of(element), of_pair); !why.empty())
     refusals.add(text("the law ", place_of(element)), "a law", why);
 }
 
 void look_at_laws(Refusals& refusals) {
   const World& world = refusals.world();
+  LiveLaws laws(world);
   for (InteractionId id : world.interactions.ids()) {
     const Interaction& row = world.interactions[id];
-    look_at_law(row, true, refusals);
+    look_at_law(row, true, laws, refusals);
     if (row.enabled && row.law->kind == LawKind::central && !std::isfinite(row.law->cutoff) && !row.law->touching)
       refusals.add(text("the law ", place_of(row)), "no cutoff", "a table ends somewhere: give cutoff = …, in m");
     if (row.enabled && row.law->exclude > 3)
       refusals.add(text("the law ", place_of(row)), text("exclude = ", row.law->exclude),
                    "LAMMPS leaves pairs out up to 3 connections apart");
   }
-  for (FieldId id : world.fields.ids()) look_at_law(world.fields[id], false, refusals);
+  for (FieldId id : world.fields.ids()) look_at_law(world.fields[id], false, laws, refusals);
   for (ConnectionId id : world.connections.ids()) {
     const Connection& row = world.connections[id];
     if (!row.enabled) continue;
-    look_at_law(row, true, refusals);
+    look_at_law(row, true, laws, refusals);
     if (!row.positions.empty())
       refusals.add("a connection to a position of the world", describe(world, id),
                    "hold the particle by a field, as a potential of its position");

@@ -1,16 +1,20 @@
 #include "player/lammps/system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "forces/forces.hpp"
 #include "measure/measure.hpp"
 #include "player/lammps/formula.hpp"
+#include "player/lammps/law_shape.hpp"
+#include "player/lammps/live_laws.hpp"
 #include "player/lammps/near_distances.hpp"
 #include "player/lammps/refused.hpp"
 #include "player/lammps/system_fields.hpp"
@@ -18,47 +22,37 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::size_t most_types = 300, most_pair_tables = 1000, most_bond_tables = 500;
-constexpr std::size_t most_bond_points = std::size_t{1} << 23;
-
-/// Attributes that laws at work read, but for the mass.
-std::vector<std::string> attributes_read(const World& world) {
-  std::set<std::string> names;
-  each_force_element(world, [&](const ForceElement& row) {
-    if (!row.enabled) return;
-    for (const Input& input : inputs_of_law(*row.law))
-      if (input.role == Role::attribute && input.name != "mass") names.insert(input.name);
-    require(!names.contains("age") && !names.contains("lifetime"), place_of(row),
-            ": it reads the age of particles, which LAMMPS has not; make it a number");
-    if (row.law->touching) names.insert("radius");
-  });
-  return {names.begin(), names.end()};
-}
-
-/// Values that differ by less than this count as one: round-off of what was measured in the scene.
-double merged(double value) {
-  if (value == 0.0 || !std::isfinite(value)) return value;
-  constexpr double digits = 1e10;
-  const double size = std::pow(10.0, std::floor(std::log10(std::abs(value))));
-  return std::round(value / size * digits) / digits * size;
-}
+constexpr std::size_t most_pair_tables = 1000, most_bond_tables = 500;
+constexpr std::size_t most_bond_points = std::size_t{1} << 23, most_pair_points = std::size_t{1} << 24;
+/// What tables of pairs have together where that is enough, and each at least.
+constexpr std::size_t usual_pair_points = std::size_t{1} << 20, least_points = 1024;
 
 /// Makes the system piece by piece.
 class SystemMaker {
  public:
-  SystemMaker(const World& world, double error) : world_(world) { made_.error = error; }
+  SystemMaker(const World& world, double error) : world_(world), made_(lammps_atoms(world)) { made_.error = error; }
 
   LammpsSystem make() {
-    made_.attributes = attributes_read(world_);
-    list_atoms();
+    atom_of_.assign(world_.particles.slots(), 0);
+    for (std::uint32_t atom = 0; atom < made_.atoms.size(); atom++) {
+      const ParticleId id = made_.atoms[atom];
+      atom_of_[id.slot - 1] = atom;
+      kinetic_ = std::max(kinetic_, 0.5 * type_at(id).mass * norm2(velocity(world_, id)));
+    }
     near_.emplace(world_, made_);
     made_.nearest = near_->nearest();
     for (ConnectionId id : world_.connections.ids())
       if (world_.connections[id].enabled) note(world_.connections[id]);
     settle_exclusions();
+    std::set<TableKey> tables;
+    for (InteractionId id : world_.interactions.ids())
+      if (world_.interactions[id].enabled) note(world_.interactions[id], tables);
+    enough_points_ =
+        std::max(least_points, std::bit_floor(usual_pair_points / std::max<std::size_t>(1, tables.size())));
     for (InteractionId id : world_.interactions.ids())
       if (world_.interactions[id].enabled) add(world_.interactions[id]);
     add_bonds();
+    made_.notes = laws_.notes();
     add_fields(world_, made_);
     note_sizes();
     return std::move(made_);
@@ -66,12 +60,20 @@ class SystemMaker {
 
  private:
   using Key = std::vector<double>;
+  using TableKey = std::pair<std::string, Key>;  // which law, and what it reads
 
   /// Connections of one law and equal values.
   struct BondKind {
     const Connection* first = nullptr;
+    std::shared_ptr<const Law> law;
     std::vector<double> lengths;  // [m]
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  };
+
+  /// A table of the law of some shape, and its factor.
+  struct ScaledTable {
+    double factor = 0.0;
+    LawTable table;
   };
 
   const World& world_;
@@ -79,73 +81,17 @@ class SystemMaker {
   std::vector<std::uint32_t> atom_of_;  // (slots of particles)
   std::optional<NearDistances> near_;
   double kinetic_ = 0.0;  // [J] the largest of an atom
+  LiveLaws laws_{world_};
   std::map<const Law*, std::string> identities_;
-  std::map<std::pair<std::string, Key>, std::size_t> pair_tables_;
-  std::map<std::pair<std::string, Key>, BondKind> bond_kinds_;
+  std::map<TableKey, std::size_t> pair_tables_;
+  std::map<TableKey, BondKind> bond_kinds_;
+  std::map<std::tuple<const Interaction*, std::uint64_t, double>, ScaledTable> shapes_;
+  std::size_t enough_points_ = 0, pair_points_ = 0;  // of a table of pairs; of all
 
-  void list_atoms() {
-    made_.atoms = world_.particles.ids();
-    require(!made_.atoms.empty(), "there is no particle that LAMMPS could move");
-    atom_of_.assign(world_.particles.slots(), 0);
-    std::vector<std::uint32_t> body_number(world_.bodies.slots(), 0);
-    for (BodyId id : world_.bodies.ids())
-      if (world_.bodies[id].points.size() > 1) {
-        made_.bodies.push_back(id);
-        body_number[id.slot - 1] = static_cast<std::uint32_t>(made_.bodies.size());
-      }
-    const auto groups = fields_of_groups();
-    std::map<std::pair<Key, std::vector<FieldId>>, int> known;
-    for (ParticleId id : made_.atoms) {
-      const Particle& particle = world_.particles[id];
-      const Point& point = world_.points[particle.points[0]];
-      atom_of_[id.slot - 1] = static_cast<std::uint32_t>(made_.type_of.size());
-      made_.body_of.push_back(point.body ? body_number[point.body.slot - 1] : 0);
-      AtomType type{particle.family, point.mass, {}, {}, 0};
-      for (const std::string& name : made_.attributes) type.values.push_back(attribute(world_, id, name).value_or(0.0));
-      if (const auto in = groups.find(id); in != groups.end()) type.of_group = in->second;
-      Key key = {static_cast<double>(type.family.slot), merged(type.mass)};
-      for (double value : type.values) key.push_back(merged(value));
-      const auto [at, is_new] = known.try_emplace({key, type.of_group}, static_cast<int>(made_.types.size()) + 1);
-      if (is_new) made_.types.push_back(std::move(type));
-      require(made_.types.size() <= most_types, "there are more than ", most_types,
-              " kinds of particles, by family, mass", told_attributes(),
-              ": LAMMPS has a type for each; give these fewer values, as by rounding them");
-      made_.type_of.push_back(at->second);
-      made_.types[static_cast<std::size_t>(at->second) - 1].count++;
-    }
-    for (ParticleId id : made_.atoms)
-      kinetic_ =
-          std::max(kinetic_, 0.5 * world_.points[world_.particles[id].points[0]].mass * norm2(velocity(world_, id)));
-    for (BodyId id : made_.bodies) made_.body_extent = std::max(made_.body_extent, extent(world_.bodies[id]));
-  }
-
-  std::string told_attributes() const {
-    std::string all;
-    for (const std::string& name : made_.attributes) all += " and '" + name + "'";
-    return all;
-  }
-
-  double extent(const Body& body) const {
-    double most = 0.0;
-    for (PointId a : body.points)
-      for (PointId b : body.points) most = std::max(most, norm(world_.points[a].position - world_.points[b].position));
-    return most;
-  }
-
-  /// Of each particle in a group that fields act on.
-  std::map<ParticleId, std::vector<FieldId>> fields_of_groups() const {
-    std::map<ParticleId, std::vector<FieldId>> found;
-    for (FieldId id : world_.fields.ids()) {
-      const Field& field = world_.fields[id];
-      if (!field.enabled || !field.group) continue;
-      const Things things = things_of(world_, AnyId(field.group));
-      std::set<ParticleId> members;
-      for (BodyId body : things.bodies)
-        for (PointId point : world_.bodies[body].points) members.insert(world_.points[point].particle);
-      for (PointId point : things.free_points) members.insert(world_.points[point].particle);
-      for (ParticleId member : members) found[member].push_back(id);
-    }
-    return found;
+  double half_box() const {
+    if (!world_.settings.box) return infinity;
+    const Vec3 edge = *world_.settings.box;
+    return 0.5 * std::min({edge[0], edge[1], edge[2]});
   }
 
   Box box() const { return {world_.settings.box.value_or(zero3())}; }
@@ -166,33 +112,78 @@ class SystemMaker {
     return at->second;
   }
 
-  /// The table of a law between two types, the first of them what the law calls a.
-  std::size_t pair_table(const Interaction& row, const std::vector<double>& near, std::size_t a, std::size_t b) {
-    const AtomType &first = made_.types[a], &second = made_.types[b];
+  /// What the table of a law between two types depends on, the first of them what the law calls a; its cutoff last.
+  TableKey table_key(const Interaction& row, std::size_t a, std::size_t b) {
     const auto value = [&](int who, const std::string& name) {
-      return attribute_of(made_, who == 0 ? first : second, name);
+      return attribute_of(made_, made_.types[who == 0 ? a : b], name);
     };
-    double cutoff = row.law->cutoff;
-    if (row.law->touching) cutoff = std::min(cutoff, value(0, "radius") + value(1, "radius"));
+    const std::shared_ptr<const Law> live = laws_.of(row);
+    double cutoff = live->cutoff;
+    if (live->touching) cutoff = std::min(cutoff, value(0, "radius") + value(1, "radius"));
     Key key = row.parameters;
-    for (const Input& input : inputs_of_law(*row.law))
+    for (const Input& input : inputs_of_law(*live))
       if (input.role == Role::attribute) key.push_back(merged(value(input.who, input.name)));
     key.push_back(cutoff);
-    const auto [at, is_new] = pair_tables_.try_emplace({identity(row.law), key}, made_.pair_tables.size());
-    if (!is_new) return at->second;
-    require(made_.pair_tables.size() < most_pair_tables, place_of(row), ": it needs more than ", most_pair_tables,
+    return {identity(live), key};
+  }
+
+  /// Calls `use` with each two types that an interaction is between.
+  template <class Use>
+  void each_pair_of_types(const Interaction& row, Use use) const {
+    std::vector<std::size_t> of_b;
+    for (std::size_t b = 0; b < made_.types.size(); b++)
+      if (made_.types[b].family == row.b) of_b.push_back(b);
+    for (std::size_t a = 0; a < made_.types.size(); a++)
+      for (std::size_t b : of_b)
+        if (made_.types[a].family == row.a && (row.a != row.b || a <= b)) use(a, b);
+  }
+
+  void note(const Interaction& row, std::set<TableKey>& tables) {
+    each_pair_of_types(row, [&](std::size_t a, std::size_t b) { tables.insert(table_key(row, a, b)); });
+    require(tables.size() <= most_pair_tables, place_of(row), ": it needs more than ", most_pair_tables,
             " tables, one for each two kinds of particles; round the values that it reads");
-    LawOfDistance law(place_of(row), *row.law, row.parameters, value);
+  }
+
+  /// The table of a law between two types, the first of them what the law calls a.
+  std::size_t pair_table(const Interaction& row, const std::vector<double>& near, std::size_t a, std::size_t b) {
+    const auto value = [&](int who, const std::string& name) {
+      return attribute_of(made_, made_.types[who == 0 ? a : b], name);
+    };
+    const std::shared_ptr<const Law> live = laws_.of(row);
+    const TableKey key = table_key(row, a, b);
+    const double cutoff = key.second.back();
+    const auto [at, is_new] = pair_tables_.try_emplace(key, made_.pair_tables.size());
+    if (!is_new) return at->second;
+    LawTable table = pair_table_of(row, *live, near, cutoff, value);
+    pair_points_ += table.r.size();
+    require(pair_points_ <= most_pair_points, place_of(row),
+            ": its tables, one for each two kinds of particles, have more "
+            "than ",
+            most_pair_points, " points; round the values that it reads, or ask for a larger --error");
+    made_.pair_tables.push_back({text("PAIR", made_.pair_tables.size() + 1), place_of(row), std::move(table),
+                                 live->has_energy(), lepton(*live, row.parameters, value)});
+    return at->second;
+  }
+
+  /// Made, or a table of the same interaction times a factor. That of the largest factor is exact enough for all: the energy
+  /// that particles bring along, which errors may be held against, matters least there.
+  LawTable pair_table_of(const Interaction& row, const Law& live, const std::vector<double>& near, double cutoff,
+                         const std::function<double(int, const std::string&)>& value) {
+    const LawShape shape = shape_of(live, row.parameters, value);
+    ScaledTable& known = shapes_[{&row, shape.hash, cutoff}];
+    if (shape.factor != 0.0 && std::abs(shape.factor) <= std::abs(known.factor))
+      return times(known.table, shape.factor / known.factor);
+    LawOfDistance law(place_of(row), live, row.parameters, value);
     TableWish wish;
     std::ranges::copy_if(near, std::back_inserter(wish.distances), [&](double r) { return r < 0.98 * cutoff; });
     if (wish.distances.empty()) wish.distances.push_back(0.9 * cutoff);
     wish.to = cutoff;
     wish.kinetic = kinetic_;
     wish.error = made_.error;
+    wish.enough = enough_points_;
     LawTable table = make_table(law, wish);
-    made_.pair_tables.push_back({text("PAIR", made_.pair_tables.size() + 1), place_of(row), std::move(table),
-                                 law.has_energy(), lepton(*row.law, row.parameters, value)});
-    return at->second;
+    if (std::abs(shape.factor) > std::abs(known.factor)) known = {shape.factor, table};
+    return table;
   }
 
   /// The energy as a formula of r, or empty where it cannot be one.
@@ -214,12 +205,10 @@ class SystemMaker {
     std::vector<PairCoefficient> list;
     std::set<std::pair<int, int>> taken;
     const std::vector<double> near = near_->of(row);
-    for (std::size_t a = 0; a < made_.types.size(); a++)
-      for (std::size_t b = 0; b < made_.types.size(); b++) {
-        if (made_.types[a].family != row.a || made_.types[b].family != row.b) continue;
-        const int low = static_cast<int>(std::min(a, b)) + 1, high = static_cast<int>(std::max(a, b)) + 1;
-        if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, near, a, b)});
-      }
+    each_pair_of_types(row, [&](std::size_t a, std::size_t b) {
+      const int low = static_cast<int>(std::min(a, b)) + 1, high = static_cast<int>(std::max(a, b)) + 1;
+      if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, near, a, b)});
+    });
     if (list.empty()) return;
     const auto is_free = [&](const PairStyle& style) {
       return std::ranges::none_of(style.coefficients, [&](const PairCoefficient& c) {
@@ -285,13 +274,20 @@ class SystemMaker {
   void note(const Connection& row) {
     Key key;
     for (double value : row.parameters) key.push_back(merged(value));
-    for (const Input& input : inputs_of_law(*row.law))
+    const std::shared_ptr<const Law> live = laws_.of(row);
+    for (const Input& input : inputs_of_law(*live))
       if (input.role == Role::attribute)
         key.push_back(merged(attribute_of(made_, type_at(row.particles[input.who]), input.name)));
-    BondKind& kind = bond_kinds_[{identity(row.law), key}];
-    if (!kind.first) kind.first = &row;
+    BondKind& kind = bond_kinds_[{identity(live), key}];
+    if (!kind.first) kind.first = &row, kind.law = live;
     const double length = norm(box().nearest(position(world_, row.particles[1]) - position(world_, row.particles[0])));
-    require(length > 0.0, place_of(row), ": a connection of no length has no direction in LAMMPS");
+    require(length > 0.0, place_of(row),
+            ": a connection of no length has no direction in LAMMPS; move one of its ends a little");
+    require(
+        length < half_box(), place_of(row), ": a connection of ", rounded(length),
+        " m is longer than half an edge of the box, ", rounded(half_box()),
+        " m: beyond, LAMMPS and this program differ in which image of a particle it leads to; make the box larger, or "
+        "put particles between its ends");
     kind.lengths.push_back(length);
     kind.ends.emplace_back(atom_of_[row.particles[0].slot - 1], atom_of_[row.particles[1].slot - 1]);
   }
@@ -337,10 +333,11 @@ class SystemMaker {
 
   LawTable bond_table(const BondKind& kind, std::size_t points, bool straight) const {
     const Connection& row = *kind.first;
-    require(!std::isfinite(row.law->cutoff) || row.law->remade, place_of(row),
+    require(!std::isfinite(kind.law->cutoff) || kind.law->remade, place_of(row),
             ": a connection whose law ends at a cutoff is none that LAMMPS has; give it no cutoff");
-    LawOfDistance law(place_of(row), *row.law, row.parameters, value_at(row));
+    LawOfDistance law(place_of(row), *kind.law, row.parameters, value_at(row));
     TableWish wish{TableOver::distance, kind.lengths};
+    wish.most = half_box();
     wish.points = points;
     wish.straight = straight;
     wish.kinetic = kinetic_;
@@ -351,7 +348,7 @@ class SystemMaker {
   void add(const BondKind& kind, LawTable table) {
     const Connection& row = *kind.first;
     made_.bond_tables.push_back({text("BOND", made_.bond_tables.size() + 1), place_of(row), std::move(table),
-                                 row.law->energy != no_expression, lepton(*row.law, row.parameters, value_at(row))});
+                                 kind.law->energy != no_expression, lepton(*kind.law, row.parameters, value_at(row))});
   }
 
   /// What Pantin would solve with its articulate LAMMPS does in explicit steps, which diverge from 4 on.
@@ -378,41 +375,5 @@ class SystemMaker {
 }  // namespace
 
 LammpsSystem lammps_system(const World& world, double error) { return SystemMaker(world, error).make(); }
-
-std::vector<Vec3> boxes_away(const World& world, const LammpsSystem& system) {
-  std::vector<Vec3> away(system.atoms.size(), zero3());
-  if (!world.settings.box) return away;
-  std::vector<std::int64_t> first(system.bodies.size() + 1, -1);
-  for (std::size_t i = 0; i < away.size(); i++) {
-    std::int64_t& leader = first[system.body_of[i]];
-    if (system.body_of[i] > 0 && leader >= 0) {
-      away[i] = away[static_cast<std::size_t>(leader)];
-      continue;
-    }
-    leader = static_cast<std::int64_t>(i);
-    const Vec3 x = position(world, system.atoms[i]), edge = *world.settings.box;
-    for (int k = 0; k < 3; k++) away[i][k] = edge[k] * std::floor(x[k] / edge[k]);
-  }
-  return away;
-}
-
-double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name) {
-  if (name == "mass") return type.mass;
-  const auto at = std::ranges::find(system.attributes, name) - system.attributes.begin();
-  return type.values[static_cast<std::size_t>(at)];
-}
-
-std::vector<Input> inputs_of_law(const Law& law) {
-  std::vector<Expr> outputs = law.force;
-  if (law.energy != no_expression) outputs.push_back(law.energy);
-  return law.graph.inputs_of(outputs);
-}
-
-std::string describe(const World& world, const LammpsSystem& system, const AtomType& type) {
-  std::string all = type.family ? world.families[type.family].name : std::string("of no family");
-  for (std::size_t i = 0; i < system.attributes.size(); i++)
-    all += text(", ", system.attributes[i], " ", type.values[i]);
-  return all;
-}
 
 }  // namespace pantin::player

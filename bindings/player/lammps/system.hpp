@@ -71,22 +71,29 @@ struct LammpsSystem {
   std::vector<LammpsBond> bonds;
   std::vector<LammpsField> fields;
   std::vector<LammpsBath> baths;
-  double nearest = 0.0;       ///< [m] least distance of atoms that interact
-  double longest_bond = 0.0;  ///< [m] now
-  double body_extent = 0.0;   ///< [m] the largest distance of two points of one body
-  double error = 1e-6;        ///< of the tables
-  double usual_force = 0.0;   ///< [N] of a pair or bond now, of the law where it is largest
-  double energy_size = 0.0;   ///< [J] sum of the energies of near pairs and bonds, whatever their signs
+  std::vector<std::string> notes;  ///< what of laws is left out, a sentence each
+  double nearest = 0.0;            ///< [m] least distance of atoms that interact
+  double longest_bond = 0.0;       ///< [m] now
+  double body_extent = 0.0;        ///< [m] the largest distance of two points of one body
+  double error = 1e-6;             ///< of the tables
+  double usual_force = 0.0;        ///< [N] of a pair or bond now, of the law where it is largest
+  double energy_size = 0.0;        ///< [J] sum of the energies of near pairs and bonds, whatever their signs
 };
 
 /// What LAMMPS is given of the present state, with tables of a wanted error. Throws Error for what it cannot be given.
 LammpsSystem lammps_system(const World& world, double error);
+
+/// Its atoms, types and bodies alone.
+LammpsSystem lammps_atoms(const World& world);
 
 /// (atoms) how many edges of the periodic box it is away from the box [m], whole bodies by their first point; zero without one.
 std::vector<Vec3> boxes_away(const World& world, const LammpsSystem& system);
 
 /// The mass, or what a law reads of particles of a type.
 double attribute_of(const LammpsSystem& system, const AtomType& type, const std::string& name);
+
+/// To ten digits: what differs by less, as by round-off of what was measured in the scene, counts as one.
+double merged(double value);
 
 /// What a law's force and energy read.
 std::vector<Input> inputs_of_law(const Law& law);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "player/lammps/formula.hpp"
+#include "player/lammps/live_laws.hpp"
 #include "player/lammps/refused.hpp"
 
 namespace pantin::player {
@@ -17,13 +18,14 @@ class FieldMaker {
 
   void add(FieldId id) {
     const Field& row = world_.fields[id];
+    const std::shared_ptr<const Law> live = laws_.of(row);
     std::map<std::vector<double>, std::vector<int>> by_values;
     for (std::size_t i = 0; i < system_.types.size(); i++) {
       const AtomType& type = system_.types[i];
       if (row.family && type.family != row.family) continue;
       if (row.group && std::ranges::find(type.of_group, id) == type.of_group.end()) continue;
       Key key;
-      for (const Input& input : inputs_of_law(*row.law))
+      for (const Input& input : inputs_of_law(*live))
         if (input.role == Role::attribute && !row.law->thermal) key.push_back(attribute_of(system_, type, input.name));
       by_values[key].push_back(static_cast<int>(i) + 1);
     }
@@ -33,15 +35,18 @@ class FieldMaker {
       if (row.law->thermal)
         add_bath(row, types);
       else
-        system_.fields.push_back(field(row, types));
+        system_.fields.push_back(field(row, *live, types));
     }
   }
+
+  const std::vector<std::string>& notes() const { return laws_.notes(); }
 
  private:
   using Key = std::vector<double>;
 
   const World& world_;
   LammpsSystem& system_;
+  LiveLaws laws_{world_};
 
   void add_bath(const Field& row, const std::vector<int>& types) {
     LammpsBath bath{types, 0.0, 0.0};
@@ -65,8 +70,7 @@ class FieldMaker {
     return text('(', name, '-', edge, "*floor(", name, '/', edge, "))");
   }
 
-  LammpsField field(const Field& row, const std::vector<int>& types) const {
-    const Law& law = *row.law;
+  LammpsField field(const Field& row, const Law& law, const std::vector<int>& types) const {
     const AtomType& type = system_.types[static_cast<std::size_t>(types[0]) - 1];
     const auto value_of = [&](const Input& input) -> std::string {
       constexpr const char* coordinates[] = {"x", "y", "z"};
@@ -93,6 +97,7 @@ void add_fields(const World& world, LammpsSystem& system) {
   FieldMaker maker(world, system);
   for (FieldId id : world.fields.ids())
     if (world.fields[id].enabled) maker.add(id);
+  system.notes.insert(system.notes.end(), maker.notes().begin(), maker.notes().end());
 }
 
 }  // namespace pantin::player

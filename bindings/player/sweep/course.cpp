@@ -1,9 +1,6 @@
 #include "player/sweep/course.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 
 #include "player/csv.hpp"
 #include "scene/errors.hpp"
@@ -15,23 +12,11 @@ std::uint64_t failures(const Rows& rows) {
   return static_cast<std::uint64_t>(std::ranges::count_if(rows, [](const auto& row) { return failed(row.second); }));
 }
 
-CaseProgress::CaseProgress(std::uint64_t done, std::uint64_t all)
-    : before_(done), all_(all), terminal_(isatty(STDERR_FILENO) != 0) {}
-
-CaseProgress::~CaseProgress() {
-  if (shown_) std::fputs("\r\033[K", stderr);
-}
-
 void CaseProgress::show(std::uint64_t done, std::uint64_t failed) {
-  const auto now = std::chrono::steady_clock::now();
-  if (!terminal_ || now < next_ || done <= before_) return;
-  next_ = now + std::chrono::milliseconds(200);
-  const double spent = std::chrono::duration<double>(now - start_).count();
-  const double left = spent * static_cast<double>(all_ - done) / static_cast<double>(done - before_);
-  std::fprintf(stderr, "\r\033[K%llu of %llu cases, %llu failed, %.0f s left", static_cast<unsigned long long>(done),
-               static_cast<unsigned long long>(all_), static_cast<unsigned long long>(failed), left);
-  std::fflush(stderr);
-  shown_ = true;
+  const double part = static_cast<double>(done) / static_cast<double>(all_);
+  if (done <= before_ || !line_.is_due(part)) return;
+  const double of_these = static_cast<double>(done - before_) / static_cast<double>(all_ - before_);
+  line_.show(part, text(done, " of ", all_, " cases, ", failed, " failed, ", line_.time_left(of_these)));
 }
 
 Course::Course(const Cases& cases, Journal& journal, Best* best)

@@ -1,12 +1,12 @@
 #pragma once
 // What is to be done of a sweep, and what is done.
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "player/progress.hpp"
 #include "player/sweep/best.hpp"
 #include "player/sweep/cases.hpp"
 #include "player/sweep/journal.hpp"
@@ -15,19 +15,14 @@ namespace pantin::player {
 
 std::uint64_t failures(const Rows& rows);
 
-/// A line on standard error that moves, where that is a terminal.
 class CaseProgress {
  public:
-  CaseProgress(std::uint64_t done, std::uint64_t all);
-  ~CaseProgress();
-  CaseProgress(const CaseProgress&) = delete;
-  CaseProgress& operator=(const CaseProgress&) = delete;
+  CaseProgress(std::uint64_t done, std::uint64_t all) : before_(done), all_(all) {}
   void show(std::uint64_t done, std::uint64_t failed);
 
  private:
   std::uint64_t before_, all_;
-  bool terminal_, shown_ = false;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), next_ = start_;
+  ProgressLine line_;
 };
 
 class Course {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,13 +11,14 @@
 
 #include "player/csv.hpp"
 #include "player/json.hpp"
+#include "player/message.hpp"
 #include "scene/errors.hpp"
 #include "scene/files.hpp"
 
 namespace pantin::player {
 namespace {
 
-const std::string finished = "finished";
+const std::string finished = "finished", table_is = "table ";
 
 std::string checked(const std::string& content) { return hash_text(content) + " " + content + "\n"; }
 
@@ -69,18 +71,14 @@ CaseRow row_of(const std::string& line) {
   } catch (const Json::exception& error) { throw Error(text("that is no row of a sweep: ", error.what())); }
 }
 
-Journal::Journal(std::string path, const std::string& sweep, bool retry) : path_(std::move(path)) {
-  file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | (retry ? 0 : O_CREAT), 0666);
-  if (file_ < 0 && errno == ENOENT && retry)
-    throw UsageError(
-        text("there is nothing to run again: ", path_,
-             ", which stays where cases fail, is not there. Without --retry-failed the sweep begins anew"));
-  if (file_ < 0) throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
+Journal::Journal(std::string table, const std::string& sweep, JournalWish wish)
+    : table_(std::move(table)), path_(table_ + ".journal"), wish_(wish) {
+  open();
   try {
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0)
-      throw UsageError(text("another sweep is writing ", path_, "; give this one a table of its own with --out"));
-    read(sweep, retry);
+    begin(sweep);
   } catch (...) {
+    struct stat now {};
+    if (fstat(file_, &now) == 0 && now.st_size == 0) remove();
     ::close(file_);
     throw;
   }
@@ -88,12 +86,49 @@ Journal::Journal(std::string path, const std::string& sweep, bool retry) : path_
 
 Journal::~Journal() { ::close(file_); }
 
-void Journal::read(const std::string& sweep, bool retry) {
+/// Locked, and still the file of that name: a sweep that ends takes it away.
+void Journal::open() {
+  while (true) {
+    file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | (wish_.retry ? 0 : O_CREAT), 0666);
+    if (file_ < 0 && errno == ENOENT && wish_.retry)
+      throw UsageError(text("there is nothing to run again: ", path_,
+                            ", which stays where cases fail, is not there. Without --retry-failed all cases are run"));
+    if (file_ < 0) throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
+    const int failed = flock(file_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    struct stat locked {
+    }, named{};
+    const bool is_it = fstat(file_, &locked) == 0 && stat(path_.c_str(), &named) == 0 &&
+                       locked.st_ino == named.st_ino && locked.st_dev == named.st_dev;
+    if (failed == 0 && is_it) return;
+    if (failed != 0 && failed != EWOULDBLOCK) {
+      say(text(path_, ": this disk has no locks (", std::strerror(failed),
+               "), so see to it that no other sweep writes ", table_));
+      return;
+    }
+    ::close(file_);
+    if (failed != 0)
+      throw UsageError(text("another sweep is writing ", path_, "; give this one a table of its own with --out"));
+  }
+}
+
+void Journal::begin(const std::string& sweep) {
   std::string content = file_content(path_).value_or("");
-  if (!retry && content.ends_with(checked(finished))) {
+  if (!wish_.retry && content.ends_with(checked(finished))) {
+    if (!wish_.overwrite)
+      throw UsageError(
+          text(table_,
+               " is finished, but for cases that failed: --retry-failed runs those again, --overwrite runs "
+               "all anew, or give another --out"));
     content.clear();
     cut_off_at(0);
   }
+  read(content, sweep);
+  check_table();
+  if (content.find('\n') == std::string::npos) write_line(sweep);
+  if (wish_.retry) std::erase_if(rows_, [](const auto& row) { return failed(row.second); });
+}
+
+void Journal::read(const std::string& content, const std::string& sweep) {
   std::size_t from = 0, line = 0;
   for (std::size_t end; (end = content.find('\n', from)) != std::string::npos; from = end + 1) {
     const std::string text_ = content.substr(from, end - from);
@@ -103,23 +138,41 @@ void Journal::read(const std::string& sweep, bool retry) {
           text(path_, ":", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
     };
     if (text_.size() < 17 || hash_text(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
-    if (line == 1 && text_.substr(17) != sweep && retry)
+    if (line == 1 && text_.substr(17) != sweep && wish_.retry)
       throw UsageError(text(path_,
-                            ": what failed there is of another sweep, or its scene was changed since; without "
-                            "--retry-failed all cases are run anew"));
+                            ": what failed there is of another sweep, or its scene was changed since; with "
+                            "--overwrite in place of --retry-failed all cases are run anew"));
     if (line == 1 && text_.substr(17) != sweep)
       refuse("what is begun here is another sweep, or its scene was changed since");
-    if (line > 1 && text_.substr(17) != finished) read_row(text_.substr(17));
+    if (line > 1) read_line(text_.substr(17));
   }
   if (from < content.size()) cut_off_at(from);
-  if (line == 0) write_line(sweep);
-  if (retry) std::erase_if(rows_, [](const auto& row) { return failed(row.second); });
 }
 
-void Journal::read_row(const std::string& line) {
+void Journal::read_line(const std::string& line) {
+  if (line == finished) return;
+  if (line.starts_with(table_is)) {
+    tables_.insert(line.substr(table_is.size()));
+    return;
+  }
   CaseRow row = row_of(line);
   files_.insert(files_.end(), row.files.begin(), row.files.end());
   rows_[row.number] = std::move(row);
+}
+
+void Journal::check_table() const {
+  if (wish_.overwrite) return;
+  const auto there = file_content(table_);
+  if (!there || there->empty() || tables_.contains(hash_text(*there))) return;
+  if (!tables_.empty())
+    throw UsageError(text(table_, " was changed since this sweep wrote it: move it away, or lose it with --overwrite"));
+  throw UsageError(text(table_, " is there already: give another --out, or lose it with --overwrite"));
+}
+
+void Journal::expect_table(const std::string& content) {
+  const std::string hash = hash_text(content);
+  write_line(table_is + hash);
+  tables_.insert(hash);
 }
 
 void Journal::cut_off_at(std::size_t size) {

@@ -1,19 +1,24 @@
 #pragma once
 // The rows of a sweep that are finished, beside its table: what was stopped, at any moment, goes on with the rest.
 #include <map>
+#include <set>
 #include <string>
 
 #include "player/sweep/row.hpp"
 
 namespace pantin::player {
 
+struct JournalWish {
+  bool retry = false;      ///< rows that failed are left out, those of a finished sweep too
+  bool overwrite = false;  ///< a table that is there, and a finished journal, may be lost
+};
+
 class Journal {
  public:
-  /// Opens or begins a file; one that is finished begins anew. `sweep` is a line of text that says which sweep it is of: a file
-  /// of another one, a line that this program has not written so, or another process that writes to it throw UsageError. A
-  /// last line that was cut off is left out. With `retry` rows that failed are left out, those of a finished one too; where
-  /// there is no file that throws UsageError.
-  Journal(std::string path, const std::string& sweep, bool retry = false);
+  /// Opens or begins the file of a table. `sweep` is a line of text that says which sweep it is of. A last line that was cut
+  /// off is left out. Throws UsageError for a file of another sweep, a line that this program has not written so, another
+  /// process that writes to it, a table or finished journal that would be lost without a wish, and none to retry.
+  Journal(std::string table, const std::string& sweep, JournalWish wish = {});
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -24,19 +29,27 @@ class Journal {
   void add(CaseRow row);
   /// That rows, those left out too, say were read, with a hash of each; a file may come more than once.
   const Cells& files() const { return files_; }
+  /// Throws UsageError where there is a table now that is not of this sweep, and may not be lost.
+  void check_table() const;
+  /// What the table is to be: from now on it may be replaced.
+  void expect_table(const std::string& content);
   /// All is in the table: the file goes.
   void remove();
   /// All is in the table, but the file stays.
   void finish();
 
  private:
-  void read(const std::string& sweep, bool retry);
-  void read_row(const std::string& line);
+  void open();
+  void begin(const std::string& sweep);
+  void read(const std::string& content, const std::string& sweep);
+  void read_line(const std::string& line);
   void cut_off_at(std::size_t size);
   void write_line(const std::string& content);
 
-  std::string path_;
+  std::string table_, path_;
+  JournalWish wish_;
   int file_ = -1;
+  std::set<std::string> tables_;  ///< hashes of those that this sweep wrote
   std::map<std::uint64_t, CaseRow> rows_;
   Cells files_;
 };

@@ -167,7 +167,7 @@ int tell_end(const SweepOptions& options, const Rows& rows, const Best* best) {
 int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ranks, Cases& cases,
                 const std::function<std::string(const std::string&)>& work) {
   Output(options.out).drop();  // whether it can be written is known now
-  Journal journal(options.out + ".journal", sweep, options.retry_failed);
+  Journal journal(options.out, sweep, {options.retry_failed, options.overwrite});
   std::optional<Best> best;
   if (!options.wanted.column.empty()) best.emplace(cases, options.wanted);
   const Rows& rows = journal.rows();
@@ -177,8 +177,11 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
              " cases are done; the same command goes on with the rest"));
     return 1;
   }
+  const std::string content = table_content(options.out, case_columns(cases, rows, options.timed));
   Output table(options.out);
-  table.write(table_content(options.out, case_columns(cases, rows, options.timed)));
+  table.write(content);
+  journal.check_table();
+  journal.expect_table(content);
   table.keep();
   const bool to_retry = !best && failures(rows) > 0;
   to_retry ? journal.finish() : journal.remove();

@@ -19,6 +19,7 @@ struct SweepOptions {
   std::uint64_t sample = 0;                         ///< cases of a Latin hypercube, or of a search; 0: the grid
   Wanted wanted;                                    ///< what is searched for
   bool retry_failed = false;                        ///< cases that failed are run again, others are not
+  bool overwrite = false;                           ///< a table that is there may be lost
   int jobs = 0;                                     ///< processes; 0: as many as there are processors
   bool timed = false;                               ///< with a column of processor time, which differs from run to run
   double script_limit = 5.0;                        ///< [s] 0: none
