@@ -235,7 +235,7 @@ struct Articulate : ArticulateState {
   std::vector<RowBlock> row_blocks;
   std::vector<Coupling> couplings;
   std::vector<Hub> hubs;
-  std::vector<Node> saved;                     // as they were: where a fallback step goes back to, and for the ledger
+  std::vector<Node> saved;  // as they were: where a fallback step and a displacement go back to, and for the ledger
   std::vector<std::uint32_t> first_row_block;  // (nodes + 1); hubs have none
   RowLists rows_on;                            // (nodes) the rows that a node is in, rising
   std::vector<Tile> tiles;                     // ends of the stretches; the last reaches all

@@ -58,6 +58,12 @@ void limit_displacements(ContactIsland& island, double most) {
   }
 }
 
+/// What an articulate ties did not turn.
+void keep_from_turning(const Model& model, std::size_t articulates, std::uint32_t articulate, TouchIsland& island) {
+  for (std::size_t i = 0; i < island.things.size(); i++)
+    if (island_number(model, articulates, island.things[i]) == articulate) island.problem.bodies[i].w = zero3();
+}
+
 /// Whether they rest is asked from now on.
 void keep_awake(const Model& model, const Articulates& articulates, Contacts& contacts, const TouchIsland& island) {
   for (const std::uint32_t a : island.articulates) wake(*articulates[a]);
@@ -140,12 +146,15 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     problem.enough *= 1e2;
     solve_pass(contacts, island, Pass::push_out, settings.search, report);
     limit_displacements(problem, farthest_pushed * largest);
-    for (const std::uint32_t a : island.articulates) report.work -= add_energies_of_solved_laws(*articulates[a], 1.0);
+    for (const std::uint32_t a : island.articulates) {
+      report.work -= add_energies_of_solved_laws(*articulates[a], 1.0);
+      articulates[a]->saved = articulates[a]->nodes;
+    }
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);
     for (const std::uint32_t a : island.articulates) {
-      close_displaced(*articulates[a]);
+      if (!close_displaced(*articulates[a])) keep_from_turning(model, articulates.size(), a, island);
       report.work += add_energies_of_solved_laws(*articulates[a], -1.0);
     }
     if (std::fmin(largest, fastest(problem)) * h > most_at_rest * size)

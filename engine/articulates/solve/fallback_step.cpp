@@ -259,7 +259,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 }  // namespace
 
-void close_displaced(Articulate& a) {
+bool close_displaced(Articulate& a) {
   constexpr int most = 6;
   constexpr double most_open = 2e-2;  // of the length: more than a displacement opens in the second order
   const std::vector<Row> rows = a.rows;
@@ -281,8 +281,10 @@ void close_displaced(Articulate& a) {
   a.rows = rows;
   a.conditions = conditions;
   drop_factor(a, FactorOf::newton);
-  if (tries_left == most || a.gaps.unaccepted > 1e-9 * a.length)
-    a.gaps.unaccepted = open_before;  // the next drift closes what is told
+  const bool tried = tries_left < most, closed = a.gaps.unaccepted <= 1e-9 * a.length;
+  if (tried && !closed) a.nodes = a.saved;
+  if (!tried || !closed) a.gaps.unaccepted = open_before;  // the next drift closes what is told
+  return !tried || closed;
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {

@@ -9,7 +9,8 @@ namespace pantin {
 void fallback_step(Articulate& articulate, const DriftSettings& settings, double h, DriftReport& report);
 /// Closes gaps of nodes that were displaced where a step starts, in the mass metric; momenta keep their world axes. What pulls
 /// by a law keeps the length that it has there, and what gives way is left open; so is all where rows came open by more than a
-/// displacement opens in the second order.
-void close_displaced(Articulate& articulate);
+/// displacement opens in the second order. False where that does not close what it should (a chain that is taut between
+/// anchors): they are where they were before, Articulate::saved.
+bool close_displaced(Articulate& articulate);
 
 }  // namespace pantin
