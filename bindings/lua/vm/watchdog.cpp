@@ -34,6 +34,11 @@ std::int64_t processor_ns(pthread_t thread) {
 std::int64_t processor_ns() { return nanoseconds(CLOCK_THREAD_CPUTIME_ID); }
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
+/// The watchdog sets it when it looks next: what is called at each step comes back before, and a look at a thread's clock takes
+/// as long as a probe.
+constexpr std::int64_t to_be_set = never - 1;
+
+std::int64_t in_ns(double seconds) { return static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9); }
 
 bool time_is_over(const Watch& watch) {
   const std::int64_t deadline = watch.deadline;
@@ -112,6 +117,8 @@ class Watchdog {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
       for (Watch* watch : watches_) {
         if (watch->over || watch->deadline == 0) continue;
+        std::int64_t unset = to_be_set;
+        watch->deadline.compare_exchange_strong(unset, processor_ns(watch->thread) + in_ns(watch->limit));
         if (watch->memory.exceeded()) watch->full = true;
         if (time_is_over(*watch)) send(*watch);
       }
@@ -131,7 +138,7 @@ std::string why_stopped(lua_State* state) {
   const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
   if (scripts_interrupted()) return begin + "the script was interrupted";
   if (Runtime::of(state).watch().full) return begin + MemoryLimit::message();
-  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit,
+  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit.load(),
               " s and was stopped (--script-limit)");
 }
 
@@ -146,7 +153,7 @@ Watch* Watch::enter(lua_State* state, double seconds) {
   running = state;
   thread = pthread_self();
   over = full = false;
-  deadline = seconds > 0 ? processor_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
+  deadline = seconds > 0 ? to_be_set : never;
   return previous;
 }
 
@@ -167,7 +174,8 @@ void Watch::switch_to(lua_State* state) {
 
 std::int64_t Watch::pause() {
   const std::int64_t end = deadline.exchange(0);
-  return end == 0 ? 0 : std::max<std::int64_t>(end - processor_ns(), 1);
+  if (end == 0) return 0;
+  return std::max<std::int64_t>(end == to_be_set ? in_ns(limit) : end - processor_ns(), 1);
 }
 
 void Watch::resume(std::int64_t left) {

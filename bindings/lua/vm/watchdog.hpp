@@ -24,8 +24,8 @@ struct Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Begins a call that may take `seconds` of its thread's processor time (0: as long as it likes); nested calls share
-  /// the time of the outermost. Returns the watch of this thread so far, to be given to `leave`.
+  /// Begins a call that may take `seconds` of its thread's processor time (0: as long as it likes), counted from when the
+  /// watchdog looks first, a few milliseconds later; nested calls share the time of the outermost. Returns the watch of this thread so far, to be given to `leave`.
   Watch* enter(lua_State* state, double seconds);
   void leave(Watch* previous);
   /// Moves to another coroutine, which meets its end too if the time is up.
@@ -34,7 +34,7 @@ struct Watch {
   std::int64_t pause();
   void resume(std::int64_t left);
 
-  double limit = 0.0;  ///< [s]
+  std::atomic<double> limit{0.0};  ///< [s]
   std::atomic<lua_State*> running{nullptr};
   std::atomic<std::int64_t> deadline{0};  ///< [ns] of the thread's processor time; 0: no call is going on
   std::atomic<bool> over{false};          ///< the time is up, or the memory
