@@ -8,6 +8,7 @@
 
 #include "bindings/program_support.hpp"
 #include "player/sweep/cases.hpp"
+#include "player/sweep/foreman.hpp"
 #include "player/sweep/journal.hpp"
 #include "scene/errors.hpp"
 
@@ -256,6 +257,18 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
   if (run.err.find("built without MPI") != std::string::npos) return;
   CHECK(run.code == 0);
   CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
+}
+
+TEST_CASE("sweep: what dies of a rank's work is told, and takes neither it nor what comes after") {
+  const auto work = [](const std::string& piece) {
+    if (piece == "die") raise(SIGKILL);
+    return "did " + piece;
+  };
+  const player::Foreman foreman(work,
+                                [](const std::string& piece, const std::string& how) { return piece + ": " + how; });
+  CHECK(foreman.result_of("one") == "did one");
+  CHECK_THAT(foreman.result_of("die"), Contains("die: its process was ended by signal 9"));
+  CHECK(foreman.result_of("two") == "did two");
 }
 
 TEST_CASE("sweep: a case that does not come back, or takes all memory, is stopped in its process, too") {

@@ -18,6 +18,7 @@
 #include "player/output.hpp"
 #include "player/saved_state.hpp"
 #include "player/sweep/course.hpp"
+#include "player/sweep/foreman.hpp"
 #include "player/sweep/journal.hpp"
 #include "player/sweep/ranks.hpp"
 #include "player/sweep/workers.hpp"
@@ -133,6 +134,11 @@ int jobs_of(const SweepOptions& options, std::uint64_t cases) {
   return static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(most), std::max<std::uint64_t>(1, cases)));
 }
 
+/// The row, as a text, of a case whose process ended.
+std::string row_of_dead(const std::string& order, const std::string& how) {
+  return line_of({order_of(order).number, {}, {{"error", how}}, {}});
+}
+
 /// False where Ctrl-C came first.
 bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Journal& journal, Best* best,
               const std::function<std::string(const std::string&)>& work) {
@@ -144,9 +150,8 @@ bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Jou
   const auto done = [&](const std::string& line) { course.keep(row_of(line)); };
   if (ranks) return ranks->hand_out(next, done);
   Workers workers(jobs_of(options, cases.count() - journal.rows().size()), work);
-  return workers.run(next, done, [&](const std::string& order, const std::string& how) {
-    course.keep({order_of(order).number, {}, {{"error", how}}, {}});
-  });
+  return workers.run(next, done,
+                     [&](const std::string& order, const std::string& how) { done(row_of_dead(order, how)); });
 }
 
 /// What it came to. The exit code.
@@ -218,10 +223,14 @@ int sweep(const SweepOptions& options, const std::string& home) {
     return line_of(run_case(order.number, path, case_options(options, home, order), options.until, options.timed));
   };
   std::optional<Ranks> ranks;
-  if (ranks_started() > 1) ranks.emplace();
+  std::optional<Foreman> foreman;
+  if (ranks_started() > 1) {
+    foreman.emplace(work, row_of_dead);
+    ranks.emplace();
+  }
   Interrupt interrupt;
   if (ranks && !ranks->first()) {
-    ranks->serve(work);
+    ranks->serve([&](const std::string& piece) { return foreman->result_of(piece); });
     return 0;
   }
   return write_sweep(options, identity(options, path, known), ranks ? &*ranks : nullptr, cases, work);
