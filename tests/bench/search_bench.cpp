@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlopt.hpp>
 
+#include "base/check.hpp"
 #include "player/bench.hpp"
 #include "player/sweep/cases.hpp"
 #include "support/search_cases.hpp"
@@ -75,14 +76,20 @@ void print_row(const char* name, std::uint64_t points, Needed needed) {
 }
 
 void print_table(std::uint64_t points) {
-  std::printf("of %llu cases: the median that is needed, in how many of %llu trials they were enough\n%-14s",
-              static_cast<unsigned long long>(points), static_cast<unsigned long long>(trials), "");
+  std::printf(
+      "of %llu cases: the median that is needed, in how many of %llu trials they were enough;\ntime: in cases one "
+      "after the other, by so many processors\n%-14s",
+      static_cast<unsigned long long>(points), static_cast<unsigned long long>(trials), "");
   for (const Searched& function : support::searched) std::printf("%17s", function.name.c_str());
   std::printf("\n");
   print_row("hypercube", points,
             [&](const Searched& f, std::uint64_t trial) { return support::points_of_hypercube(f, trial, points); });
   print_row("sweep --best", points,
             [&](const Searched& f, std::uint64_t trial) { return support::points_needed(f, trial, points); });
+  for (const std::size_t processors : {1u, 2u, 4u, 8u, 16u, 64u})
+    print_row(text("  time of ", processors).c_str(), points, [&](const Searched& f, std::uint64_t trial) {
+      return support::rounds_needed(f, trial, points, processors);
+    });
   constexpr std::pair<const char*, nlopt::algorithm> methods[] = {{"Nelder-Mead", nlopt::LN_NELDERMEAD},
                                                                   {"Subplex", nlopt::LN_SBPLX},
                                                                   {"COBYLA", nlopt::LN_COBYLA},
@@ -99,7 +106,7 @@ void print_table(std::uint64_t points) {
 
 void bench_search(const player::BenchOptions& options) {
   if (!options.arguments.empty()) return print_table(std::stoull(options.arguments[0]));
-  for (const std::uint64_t points : {100u, 200u, 500u}) print_table(points);
+  for (const std::uint64_t points : {100u, 200u, 500u, 1000u}) print_table(points);
 }
 
 const player::Register search_benchmark({"search", "cases that sweep --best needs", bench_search});

@@ -80,16 +80,20 @@ inline CubePoint place_of(const Searched& function, std::uint64_t trial) {
   return place;
 }
 
+inline player::Search search_of(const Searched& function, std::uint64_t points) {
+  const bool whole_number = function.value == whole;
+  return {function.dimensions, points, [whole_number](const CubePoint& at) {
+            std::string key;
+            for (std::size_t i = 0; i < at.size(); i++)
+              key += std::to_string(whole_number && i == 0 ? twelve(at[i]) : 1e6 * at[i]) + " ";
+            return key;
+          }};
+}
+
 /// How many points a search asks until it finds the goal, or `points` + 1.
 inline std::uint64_t points_needed(const Searched& function, std::uint64_t trial, std::uint64_t points) {
   const CubePoint place = place_of(function, trial);
-  const bool whole_number = function.value == whole;
-  player::Search search(function.dimensions, points, [&](const CubePoint& at) {
-    std::string key;
-    for (std::size_t i = 0; i < at.size(); i++)
-      key += std::to_string(whole_number && i == 0 ? twelve(at[i]) : 1e6 * at[i]) + " ";
-    return key;
-  });
+  player::Search search = search_of(function, points);
   std::uint64_t needed = points + 1;
   while (const auto asked = search.ask()) {
     const double value = function.value(asked->at, place);
@@ -97,6 +101,29 @@ inline std::uint64_t points_needed(const Searched& function, std::uint64_t trial
     search.tell(asked->number, value);
   }
   return needed;
+}
+
+/// How long that takes where so many points at a time are asked: in points one after the other. Else `points` + 1.
+inline std::uint64_t rounds_needed(const Searched& function, std::uint64_t trial, std::uint64_t points,
+                                   std::size_t at_a_time) {
+  const CubePoint place = place_of(function, trial);
+  player::Search search = search_of(function, points);
+  for (std::uint64_t round = 1;; round++) {
+    std::vector<player::Search::Asked> all;
+    while (all.size() < at_a_time)
+      if (auto asked = search.ask())
+        all.push_back(*asked);
+      else
+        break;
+    if (all.empty()) return points + 1;
+    bool found = false;
+    for (const auto& asked : all) {
+      const double value = function.value(asked.at, place);
+      found = found || value >= function.goal;
+      search.tell(asked.number, value);
+    }
+    if (found) return round;
+  }
 }
 
 /// The same of a Latin hypercube.
