@@ -41,7 +41,7 @@ std::string meta(const std::string& what) {
 }
 
 LammpsScene lammps_scene(const RunOptions& run, const std::string& home) {
-  return {find_scene(run.scene, home), scene_options(run, home), run.until};
+  return {find_scene(run.scene, home), scene_options(run, home), run.until, run.scene};
 }
 
 int do_command(const Options& options) {

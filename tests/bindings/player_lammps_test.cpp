@@ -268,18 +268,20 @@ TEST_CASE("lammps: a law's damping, or friction of particles, that is 0 is left 
     scene:interact(f, f, force.pair { cutoff = 3, tension = function(r, rate, a, b)
       return (r - 3) ^ 2 + a.grip * b.grip * rate end })
     scene:field(f, force.drag { linear = %DRAG% })
+    scene:field(f, force.wall { normal = vec(0, 1, 0), stiffness = 10, damping = %DRAG%, friction = %DRAG% })
   )";
   const auto with = [&](const char* grip, const char* damping, const char* drag) {
     std::string source = two;
     for (const auto& [name, value] : {std::pair("%GRIP%", grip), {"%DAMPING%", damping}, {"%DRAG%", drag}})
-      source.replace(source.find(name), std::string(name).size(), value);
+      for (std::size_t at; (at = source.find(name)) != source.npos;)
+        source.replace(at, std::string(name).size(), value);
     return export_scene(folder, source);
   };
   const Finished none = with("0", "0", "0");
   INFO(none.err);
   CHECK(none.code == 0);
   CHECK_THAT(none.out, Contains("damping is 0, so that what depends on velocities or time is left out") &&
-                           Contains("grip is 0") && Contains("linear is 0"));
+                           Contains("grip is 0") && Contains("linear is 0") && Contains("damping, friction are 0"));
   CHECK_THAT(with("1", "0", "0").err, Contains("leave its damping out"));
   CHECK_THAT(with("0", "1", "0").err, Contains("leave its damping out"));
   CHECK_THAT(with("0", "0", "1").err, Contains("it depends on velocities"));

@@ -257,11 +257,20 @@ int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
   return 0;
 }
 
+/// A word as a shell reads it.
+std::string quoted(const std::string& word) {
+  constexpr const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string all = "'";
+  for (const char c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return all + "'";
+}
+
 /// The command that does so of a folder's last dump.
 std::string way_back(const std::string& folder, const LammpsScene& scene) {
-  std::string command = "pantin lammps " + scene.path;
-  for (const auto& [name, value] : scene.options.set) command += text(" --set ", name, '=', value);
-  return text(command, " --from-dump ", (fs::path(folder) / "end.dump").string());
+  std::string command = "pantin lammps " + quoted(scene.given);
+  for (const auto& [name, value] : scene.options.set) command += " --set " + quoted(text(name, '=', value));
+  return text(command, " --from-dump ", quoted((fs::path(folder) / "end.dump").string()));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {

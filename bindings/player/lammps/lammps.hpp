@@ -21,6 +21,7 @@ struct LammpsScene {
   std::string path;  ///< a scene's file, or a state's
   SceneOptions options;
   std::optional<double> until;
+  std::string given;  ///< as it was named on the command line
 };
 
 /// `pantin export SCENE --lammps FOLDER`: writes what `lmp` runs. Returns the exit code; throws UsageError, Error.

@@ -33,6 +33,8 @@ class LiveLaws {
   bool is_zero_everywhere(const std::string& attribute);
   Names zeros_of(const Law& law, const ForceElement& row);
   static std::shared_ptr<Law> without(const Law& law, const Names& zeros);
+  static std::shared_ptr<const Law> live_part(const Law& law, const ForceElement& row, const Names& zeros);
+  static Names needed_of(const Law& law, const Names& zeros);
 };
 
 }  // namespace pantin::player

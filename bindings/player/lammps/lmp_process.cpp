@@ -163,7 +163,8 @@ std::string remedy_for(const std::string& error) {
   constexpr std::pair<const char*, const char*> known[] = {
       {"inner cutoff",
        "; two particles came nearer than their table begins: the step is too long, or they begin too near"},
-      {"outer cutoff", "; a bond became longer than its table: the step is too long"},
+      {"outer cutoff",
+       "; a bond became longer than its table: the step is too long, or the bond longer than half the box"},
       {"Bond atoms", "; a bond became longer than what processes tell each other: the step is too long"},
       {"Lost atoms", "; particles flew away: the step is too long"},
       {"out of range", "; particles flew away: the step is too long"},
