@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/random.hpp"
-#include "measure/measure.hpp"
+#include "forces/forces.hpp"
 #include "player/lammps/refused.hpp"
 #include "player/lammps/system.hpp"
 

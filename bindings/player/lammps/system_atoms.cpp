@@ -1,12 +1,14 @@
+#include "player/lammps/system.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "forces/forces.hpp"
 #include "measure/measure.hpp"
 #include "player/lammps/refused.hpp"
-#include "player/lammps/system.hpp"
 
 namespace pantin::player {
 namespace {

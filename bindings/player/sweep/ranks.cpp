@@ -27,9 +27,12 @@ namespace {
 
 constexpr int piece_tag = 1, end_tag = 2, result_tag = 3;
 
-/// Waits without using a processor, which a case may need.
+/// Waits without using a processor, which a case may need: the longer it has waited, the less often it looks.
 bool wait_for_message(int from, MPI_Status& status) {
-  for (int there = 0; !Interrupt::asked(); std::this_thread::sleep_for(std::chrono::microseconds(50))) {
+  using namespace std::chrono_literals;
+  std::chrono::microseconds pause = 20us;
+  for (int there = 0; !Interrupt::asked();
+       std::this_thread::sleep_for(pause), pause = std::min<std::chrono::microseconds>(2 * pause, 1ms)) {
     MPI_Iprobe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
     if (there) return true;
   }
