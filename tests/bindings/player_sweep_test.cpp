@@ -259,6 +259,17 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
   CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
 }
 
+TEST_CASE("sweep: processes that srun starts without MPI are told, and none runs all cases for itself") {
+  Folder folder;
+  write_file(folder / "pendulum.lua", pendulum);
+  Process::Options alone = options({"sweep", "pendulum.lua", "--set", "length=1,2", "--out", "t.csv"}, folder.path);
+  alone.environment.emplace_back("SLURM_STEP_NUM_TASKS=4");
+  const Finished run = finish(alone);
+  CHECK(run.code == 2);
+  CHECK_THAT(run.err, Contains("srun started 4 processes") && Contains("--mpi=pmix"));
+  CHECK(folder.files() == std::vector<std::string>{"pendulum.lua"});
+}
+
 TEST_CASE("sweep: what dies of a rank's work is told, and takes neither it nor what comes after") {
   const auto work = [](const std::string& piece) {
     if (piece == "die") raise(SIGKILL);

@@ -18,7 +18,12 @@ namespace pantin::player {
 int ranks_started() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_SIZE"})
     if (const char* value = std::getenv(name)) return std::max(1, std::atoi(value));
-  return 1;
+  const char* const tasks = std::getenv("SLURM_STEP_NUM_TASKS");  // of srun, not of a script that sbatch runs
+  const int started = tasks ? std::max(1, std::atoi(tasks)) : 1;
+  if (started > 1 && !std::getenv("PMIX_RANK"))
+    throw UsageError(text("srun started ", started,
+                          " processes that do not know of each other, and each would run all cases: srun --mpi=pmix"));
+  return started;
 }
 
 #ifdef PANTIN_MPI
@@ -55,9 +60,15 @@ std::string receive(const MPI_Status& status) {
 }  // namespace
 
 Ranks::Ranks() {
+  const int started = ranks_started();  // MPI changes the environment
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
+  if (count_ > 1) return;
+  MPI_Finalize();
+  throw UsageError(text(started,
+                        " processes were started together, and MPI knows of this one alone: start them by the mpirun "
+                        "of the MPI that this program was built with, or by srun --mpi=pmix"));
 }
 
 Ranks::~Ranks() {

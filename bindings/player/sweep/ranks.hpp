@@ -6,7 +6,8 @@
 
 namespace pantin::player {
 
-/// How many processes were started together, by what their environment says; 1: this one alone.
+/// How many processes were started together, by what their environment says; 1: this one alone. Throws UsageError where they
+/// cannot find each other.
 int ranks_started();
 
 /// All of them together, from first to last. Throws UsageError where this program was built without MPI.
