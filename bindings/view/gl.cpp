@@ -33,6 +33,32 @@ GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
   return id;
 }
 
+struct TextureKind {
+  GLint inside;
+  GLenum channels, type;
+  GLint between;
+};
+
+TextureKind kind_of(Target::Format format) {
+  switch (format) {
+    case Target::Format::height: return {GL_R32F, GL_RED, GL_FLOAT, GL_NEAREST};
+    case Target::Format::shelter: return {GL_RG16F, GL_RG, GL_FLOAT, GL_NEAREST};
+    default: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR};
+  }
+}
+
+GLuint make_texture(const TextureKind& kind, int width, int height) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glBindTexture(GL_TEXTURE_2D, id);
+  glTexImage2D(GL_TEXTURE_2D, 0, kind.inside, width, height, 0, kind.channels, kind.type, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, kind.between);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, kind.between);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return id;
+}
+
 }  // namespace
 
 ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<const char*> common,
@@ -108,36 +134,42 @@ void FloatRows::send(const void* data, std::size_t bytes) {
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
 }
 
-Target::Target(int width, int height, int samples, Format format, bool depth)
-    : width_(width), height_(height), texture_(format == Format::shade) {
+Target::Target(int width, int height, int samples, Format format, Depth depth)
+    : width_(width), height_(height), texture_(format != Format::color), depth_kind_(depth) {
   GLint most = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &most);
   samples_ = std::clamp(samples, 0, static_cast<int>(most));
   glGenFramebuffers(1, &framebuffer_);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  add_color(format);
+  if (depth != Depth::none) add_depth();
+  require(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "OpenGL gives no picture of ", width,
+          " x ", height, " pixels with ", samples_, " samples");
+}
+
+void Target::add_color(Format format) {
   if (texture_) {
-    glGenTextures(1, &color_);
-    glBindTexture(GL_TEXTURE_2D, color_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    const TextureKind kind = kind_of(format);
+    color_ = make_texture(kind, width_, height_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
   } else {
     glGenRenderbuffers(1, &color_);
     glBindRenderbuffer(GL_RENDERBUFFER, color_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, width_, height_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
   }
-  if (depth) {
+}
+
+void Target::add_depth() {
+  if (depth_kind_ == Depth::texture) {
+    depth_ = make_texture({GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_NEAREST}, width_, height_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+  } else {
     glGenRenderbuffers(1, &depth_);
     glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width_, height_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   }
-  require(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "OpenGL gives no picture of ", width,
-          " x ", height, " pixels with ", samples_, " samples");
 }
 
 Target::~Target() {
@@ -146,7 +178,22 @@ Target::~Target() {
     glDeleteTextures(1, &color_);
   else
     glDeleteRenderbuffers(1, &color_);
-  if (depth_) glDeleteRenderbuffers(1, &depth_);
+  if (depth_kind_ == Depth::texture)
+    glDeleteTextures(1, &depth_);
+  else
+    glDeleteRenderbuffers(1, &depth_);
+}
+
+void Target::bind_texture(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, color_);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void Target::bind_depths(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, depth_);
+  glActiveTexture(GL_TEXTURE0);
 }
 
 void Target::bind() const {

@@ -61,25 +61,36 @@ class FloatRows {
   GLsizei count_ = 0;
 };
 
-/// A picture to draw into: colour and, with `depth`, a depth buffer; with samples, they are renderbuffers.
+/// A picture to draw into. One for colours is a renderbuffer, the others are textures.
 class Target {
  public:
-  enum class Format { color, shade };  ///< RGBA, or one channel that can be read as a texture
-  Target(int width, int height, int samples, Format format, bool depth);
+  enum class Format {
+    color,    ///< RGBA
+    shade,    ///< one channel, 0 … 1, even between pixels
+    height,   ///< one of any size
+    shelter,  ///< two of any size
+  };
+  enum class Depth { none, kept, texture };  ///< a texture only without samples
+  Target(int width, int height, int samples, Format format, Depth depth = Depth::none);
   ~Target();
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
 
   void bind() const;
+  /// What was drawn, as the texture of a unit.
+  void bind_texture(int unit) const;
+  void bind_depths(int unit) const;
   GLuint framebuffer() const { return framebuffer_; }
-  GLuint texture() const { return color_; }
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
 
  private:
+  void add_color(Format format);
+  void add_depth();
   int width_, height_, samples_;
   bool texture_;
+  Depth depth_kind_;
   GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
 };
 

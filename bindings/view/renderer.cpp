@@ -9,6 +9,7 @@
 #include "view/draw_list.hpp"
 #include "view/gl.hpp"
 #include "view/panel.hpp"
+#include "view/shadows.hpp"
 #include "view/sheets.hpp"
 #include "view/view_marks.hpp"
 
@@ -16,7 +17,6 @@ namespace pantin {
 
 namespace {
 
-constexpr int shadow_pixels = 384;  // of the finest map, see shadow_maps.glsl
 constexpr int ground_corners = 24;
 constexpr double trail_interval = 1.0 / 40.0;  // [s] at the scene's pace
 
@@ -49,18 +49,15 @@ struct Renderer::Parts {
   int pixels_wide, pixels_high, samples;
   std::optional<Target> target;
   std::optional<Target> resolved;
-  Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
   ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
       floor{"floor", {"common.glsl", "picture.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
-      shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""},
-      shadow_ball{"shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""},
-      shadow_bar{"shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""},
-      shadow_mesh{"shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, ""};
+      shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""};
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, ellipsoids{{3, 3, 3, 3, 3, 3}, true},
       corners{{3, 3, 3}, false}, shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
       nothing{{1}, false};
   Sheets sheets;
+  Shadows shadows;
   Panel panel;
   DrawListMaker draw_list_maker;
   DrawList draw_list;
@@ -77,21 +74,23 @@ struct Renderer::Parts {
         pixels_wide(pixels(w, scale)),
         pixels_high(pixels(h, scale)),
         samples(samples_wanted),
-        target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, true),
+        target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, Target::Depth::kept),
         ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
-        bar("bar", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
+        bar("bar", {"common.glsl", "edges.glsl", "capsule.glsl"}, edge_definitions(target->samples())),
         ellipsoid("ellipsoid", {"common.glsl", "edges.glsl", "stripes.glsl"}, edge_definitions(target->samples())),
         mesh("mesh", {"common.glsl"}, ""),
         glow("glow", {"common.glsl"}, light_definitions),
         streak("streak", {"common.glsl"}, light_definitions),
         sheets(edge_definitions(target->samples())),
+        shadows(target->samples() > 0),
         panel(scale) {
     resolve_target();
   }
 
   void resolve_target() {
     resolved.reset();
-    if (target->samples() > 0) resolved.emplace(pixels_wide, pixels_high, 0, Target::Format::color, false);
+    if (target->samples() > 0)
+      resolved.emplace(pixels_wide, pixels_high, 0, Target::Format::color, Target::Depth::texture);
   }
   const Target& picture() const { return resolved ? *resolved : *target; }
   const Background& background(const Views& views) const {
@@ -100,6 +99,9 @@ struct Renderer::Parts {
   void collect_marks(const World& world, const Overlay& overlay);
   void draw_backdrop(const Background& colors);
   void draw_shadows(const Camera& camera, bool wanted);
+  float ground_strength(const Camera& camera) const;
+  void darken(const Camera& camera);
+  void resolve(GLbitfield what);
   void draw_ground(const Camera& camera, const Background& colors);
   void draw_floors(const Camera& camera);
   void draw_things(const Camera& camera);
@@ -108,8 +110,6 @@ struct Renderer::Parts {
 
   float rim = 0.0f;
   bool shaded = false;
-  // Of the last shadows: in units of the camera's distance, relative to the eye.
-  float shadow_x = 0.0f, shadow_z = 0.0f, shadow_reach = 1.0f;
 };
 
 Renderer::Renderer(int width, int height, int samples, double scale) {
@@ -128,7 +128,7 @@ void Renderer::resize(int width, int height, double scale) {
   p.pixels_wide = pixels(width, scale);
   p.pixels_high = pixels(height, scale);
   if (scale != p.scale) p.panel.set_scale(p.scale = scale);
-  p.target.emplace(p.pixels_wide, p.pixels_high, p.samples, Target::Format::color, true);
+  p.target.emplace(p.pixels_wide, p.pixels_high, p.samples, Target::Format::color, Target::Depth::kept);
   p.resolve_target();
 }
 
@@ -180,12 +180,10 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.draw_floors(camera);
   p.draw_ground(camera, colors);
   p.draw_things(camera);
+  p.darken(camera);
   p.draw_lights(camera);
   if (p.resolved) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, p.target->framebuffer());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.resolved->framebuffer());
-    glBlitFramebuffer(0, 0, p.pixels_wide, p.pixels_high, 0, 0, p.pixels_wide, p.pixels_high, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    p.resolve(GL_COLOR_BUFFER_BIT);
     p.resolved->bind();
   }
   p.collect_marks(world, overlay);
@@ -220,43 +218,21 @@ void Renderer::Parts::draw_backdrop(const Background& colors) {
   nothing.draw(backdrop, GL_TRIANGLE_STRIP, 4);
 }
 
-// Draws the scene from the light onto a map of the ground, soft where it is high above it.
 void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   shaded = wanted && draw_list.lower.x <= draw_list.upper.x;
-  if (!shaded) return;
-  shadow.bind();
-  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-  const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
-  const Vec3 light = key_light();
-  const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
-  const float h0 = std::max(draw_list.lower.y - level, 0.0f), h1 = std::max(draw_list.upper.y - level, 0.0f);
-  const float x0 = draw_list.lower.x - std::max(lx * h0, lx * h1), x1 = draw_list.upper.x - std::min(lx * h0, lx * h1);
-  const float z0 = draw_list.lower.z - std::max(lz * h0, lz * h1), z1 = draw_list.upper.z - std::min(lz * h0, lz * h1);
-  shadow_x = 0.5f * (x0 + x1);
-  shadow_z = 0.5f * (z0 + z1);
-  shadow_reach = 0.575f * std::max(x1 - x0, z1 - z0) + 0.10f * h1;  // with all that is soft
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_MAX);
-  for (const ShaderProgram* program : {&shadow_ball, &shadow_bar, &shadow_mesh}) {
-    program->use();
-    program->set("shadow_middle", shadow_x, shadow_z);
-    program->set("shadow_reach", shadow_reach);
-    program->set("level", level);
-    program->set("light", light);
-    program->set("size", static_cast<float>(stage.size / camera.distance));
-    program->set("texel", 2.0f * shadow_reach / shadow_pixels);
-  }
-  shadow_mesh.set("solid", 1.0f);
-  corners.draw(shadow_mesh, GL_TRIANGLES);
-  sheets.draw_shadows(shadow_mesh);
-  shadow_mesh.set("solid", 0.0f);
-  shades.draw(shadow_mesh, GL_TRIANGLES);
-  balls.draw(shadow_ball, GL_TRIANGLES, 3);
-  bars.draw(shadow_bar, GL_TRIANGLE_STRIP, 4);
-  glBlendEquation(GL_FUNC_ADD);
+  if (shaded) shadows.draw_maps({balls, bars, ellipsoids, corners, shades, sheets}, draw_list, stage, camera);
+}
+
+void Renderer::Parts::resolve(GLbitfield what) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved->framebuffer());
+  glBlitFramebuffer(0, 0, pixels_wide, pixels_high, 0, 0, pixels_wide, pixels_high, what, GL_NEAREST);
+}
+
+void Renderer::Parts::darken(const Camera& camera) {
+  if (!shaded || !resolved || !shadows.shelters()) return;
+  resolve(GL_DEPTH_BUFFER_BIT);
+  shadows.darken(*target, *resolved, stage, camera, ground_strength(camera));
 }
 
 // A little behind where they are, so that shadows fall on them.
@@ -285,14 +261,20 @@ void Renderer::Parts::draw_floors(const Camera& camera) {
   for (const int what : {GL_BLEND, GL_POLYGON_OFFSET_FILL, GL_DEPTH_TEST}) glDisable(static_cast<GLenum>(what));
 }
 
+// Faded where the eye is below it, and where the scene has fallen through it.
+float Renderer::Parts::ground_strength(const Camera& camera) const {
+  const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
+  const float size = static_cast<float>(stage.size / camera.distance);
+  const float above = std::clamp(-level / (0.03f * size), 0.0f, 1.0f);
+  const float fallen = draw_list.lower.x > draw_list.upper.x ? 0.0f : (level - draw_list.lower.y) / size;
+  return above * std::clamp(1.0f - (fallen - 0.08f) / 0.25f, 0.0f, 1.0f);
+}
+
 void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors) {
   const Vec3 eye = camera.eye(), middle = (stage.lower + stage.upper) * 0.5;
   const double unit = camera.distance, square = ground_square(stage);
   const float level = static_cast<float>((stage.ground - eye[1]) / unit), size = static_cast<float>(stage.size / unit);
-  // Faded where the eye is below it, and where the scene has fallen through it.
-  const float above = std::clamp(-level / (0.03f * size), 0.0f, 1.0f);
-  const float fallen = draw_list.lower.x > draw_list.upper.x ? 0.0f : (level - draw_list.lower.y) / size;
-  const float strength = above * std::clamp(1.0f - (fallen - 0.08f) / 0.25f, 0.0f, 1.0f);
+  const float strength = ground_strength(camera);
   if (!(strength > 0.0f)) return;
   for (const ShaderProgram* program : {&shade, &grid}) {
     set_camera(*program, camera);
@@ -311,13 +293,8 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   if (!draw_list.floors.empty()) glEnable(GL_DEPTH_TEST);  // some may be in front of it
   glDepthMask(GL_FALSE);
   if (shaded) {
-    shade.use();
-    shade.set("shadow", 0);
-    shade.set("shadow_middle", shadow_x, shadow_z);
-    shade.set("shadow_reach", shadow_reach);
+    shadows.bind_maps(shade);
     shade.set("dark", colors.shade);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, shadow.texture());
     nothing.draw(shade, GL_TRIANGLE_STRIP, 4);
   }
   const bool squares =

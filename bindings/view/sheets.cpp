@@ -55,6 +55,10 @@ void Sheets::draw_shadows(const ShaderProgram& program) const {
   for (const auto& sheet : sheets_) sheet->corners.draw(program, GL_TRIANGLES);
 }
 
+void Sheets::draw_globes(const ShaderProgram& program) const {
+  for (const auto& sheet : sheets_) sheet->globes.draw(program, GL_TRIANGLE_STRIP, 4);
+}
+
 void Sheets::draw(const std::function<void(const ShaderProgram&)>& set_camera) const {
   if (sheets_.empty()) return;
   set_camera(programs_->surface);

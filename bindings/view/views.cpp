@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<NamedView, 17> table = {{
     {View::bodies, "bodies", "bodies, particles and hinges"},
     {View::loads, "loads", "ties and hinges coloured by load: red pulls, blue pushes"},
-    {View::shadows, "shadows", "shadows on the ground"},
+    {View::shadows, "shadows", "shadows"},
     {View::rings, "rings", "rings of hinges: each member, its body, and the next member"},
     {View::forces, "forces", "forces of hinges and constraints as arrows"},
     {View::velocities, "velocities", "velocities as arrows: the way of 0.1 s at the scene's pace"},

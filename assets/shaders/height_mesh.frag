@@ -1,0 +1,3 @@
+in float height;
+out vec4 result;
+void main() { result = vec4(height); }
