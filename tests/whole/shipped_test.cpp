@@ -89,3 +89,10 @@ TEST_CASE("shipped scenes: the browser's list names each of them once") {
   std::ranges::sort(listed);
   CHECK(listed == shipped_names());
 }
+
+TEST_CASE("shipped scenes: each is under 60 lines") {
+  for (const std::string& name : shipped_names()) {
+    INFO(name);
+    CHECK(std::ranges::count(support::read_file(folder + name + ".lua"), '\n') < 60);
+  }
+}
