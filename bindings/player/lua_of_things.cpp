@@ -313,12 +313,24 @@ class Writer {
     names_[id] += ".points[1]";
   }
 
+  /// The axis of a hinge or motor, in the world; in full where it was not a short one.
+  Vec3 axis_of(const Constraint& c) const {
+    const Quat frame = orientation(now_, c.body_a);
+    const Vec3 exact = rotate(frame, c.axis_a), plain = shortened(exact, 1.0);
+    if (norm(direction(plain) - exact) <= 1e-15) return plain;
+    Vec3 axis = exact;
+    for (int attempt = 0; attempt < 8; attempt++) {
+      const Vec3 off = c.axis_a - rotate(conjugate(frame), direction(axis));
+      if (norm2(off) == 0.0) return axis;
+      axis = axis + rotate(frame, off);
+    }
+    return exact;
+  }
   /// The axis of the hinge between two bodies, in the world; nothing: they turn freely.
   std::optional<Vec3> axis_between(const Particle& ring, BodyId a, BodyId b) const {
     for (const ConstraintId id : ring.axes) {
       const Constraint& c = now_.constraints[id];
-      if ((c.body_a == a && c.body_b == b) || (c.body_a == b && c.body_b == a))
-        return shortened(rotate(orientation(now_, c.body_a), c.axis_a), 1.0);
+      if ((c.body_a == a && c.body_b == b) || (c.body_a == b && c.body_b == a)) return axis_of(c);
     }
     return {};
   }
@@ -387,9 +399,8 @@ class Writer {
   }
   void write_motor(ConstraintId id, const Constraint& c) {
     if (!c.by_speed) return leave_out(id, "keeps an angle, as no hand's does");
-    const Vec3 axis = shortened(rotate(orientation(now_, c.body_a), c.axis_a), 1.0);
     const std::string against = c.body_b ? body(c.body_b) + ", " : "";
-    line(text("scene:motor(", body(c.body_a), ", ", against, "{ axis = ", lua_of(axis),
+    line(text("scene:motor(", body(c.body_a), ", ", against, "{ axis = ", lua_of(axis_of(c)),
               ", speed = ", lua_of(c.number.rate), ", max_torque = ", lua_of(c.max_torque), " })"));
   }
 

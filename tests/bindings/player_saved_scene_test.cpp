@@ -128,6 +128,8 @@ struct Built {
       if (b && (c.kind == Kind::join || number() < 0.6)) aim(b, c.other, c.other_thing, c.points[0]);
       if (c.kind == Kind::tie) c.radius = 0.05;
       if (c.kind == Kind::join && number() < 0.5) c.amount = vec(0, 0, 1);
+      if (c.kind == Kind::join && source.find("plane") == std::string::npos && number() < 0.3)
+        c.amount = direction(vec(number(), number(), number()));
       if (c.kind == Kind::drive) c.amount = vec(0, 0, around(0, 5));
     }
     send(c);
