@@ -7,6 +7,7 @@
 
 #include "constraints/kind.hpp"
 #include "contacts/find.hpp"
+#include "model/path.hpp"
 #include "view/constraint_look.hpp"
 
 namespace pantin {
@@ -165,6 +166,18 @@ void include_flight(const World& world, const Emitter& emitter, Stage& stage) {
   }
 }
 
+/// Places that it holds on to, as a rope over a wheel, and the way that something is on.
+void include_held_places(const Constraint& c, Stage& stage) {
+  if (const auto* string = std::get_if<StringData>(&c.own))
+    for (const Passage& p : string->passages)
+      if (!p.point) include(stage, p.position);
+  if (const auto* coupling = std::get_if<CouplingData>(&c.own))
+    for (const CoupledValue& v : coupling->values)
+      if (v.point_a && !v.point_b && norm2(v.axis_b) == 0.0) include(stage, v.position);
+  if (const auto* way = std::get_if<PathData>(&c.own); way != nullptr && way->path)
+    for (double at = 0.0; at <= way->path->pieces(); at++) include(stage, way->path->position(at));
+}
+
 void include_ground(const World& world, Stage& stage) {
   const Bounds things = stage.empty ? Bounds{} : Bounds{stage.lower, stage.upper};
   const Bounds all = with_ground(world, things, 0.5 * largest(stage.upper - stage.lower));
@@ -199,6 +212,7 @@ void find_box(const World& world, Stage& stage) {
     include(stage, box.high);
   }
   for (EmitterId id : world.emitters.ids()) include_flight(world, world.emitters[id], stage);
+  for (const ConstraintId id : world.constraints.ids()) include_held_places(world.constraints[id], stage);
   include_ground(world, stage);
   if (stage.empty || !(world.settings.gravity[1] < 0.0)) return;
   const Reach reach(world);

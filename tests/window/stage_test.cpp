@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "edit/coupling_constraints.hpp"
 #include "edit/emitter.hpp"
 #include "support/library_laws.hpp"
 #include "window/small_worlds.hpp"
@@ -99,4 +100,11 @@ TEST_CASE("the stage holds shapes, what is near of the world's, and stands on a 
   floor.orientation = normalised({1.0, -1.0, 0.0, 0.0});
   add_shape(world, floor);
   CHECK(find_stage(world).ground == -1.5);
+}
+
+TEST_CASE("the stage has what a rope is held by, and the way that something is on", "[view]") {
+  World world;
+  const ParticleId a = small_worlds::particle(world, vec(0, 0, 0)), b = small_worlds::particle(world, vec(1, 0, 0));
+  add_pulley(world, world.particles[a].points[0], {{}, vec(0, 3, 0)}, world.particles[b].points[0], {{}, vec(1, 3, 0)});
+  CHECK(find_stage(world).upper[1] == 3.0);
 }
