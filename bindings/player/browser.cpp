@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace pantin::player {
@@ -65,8 +66,11 @@ void draw_lines(const std::string& text, ImVec2 at, float width, int lines, floa
 
 }  // namespace
 
-Browser::Browser(const std::string& shipped, std::string own, SceneOptions options)
-    : shipped_(std::filesystem::weakly_canonical(shipped)), own_(std::move(own)), options_(std::move(options)) {}
+Browser::Browser(const std::string& shipped, std::string games, std::string own, SceneOptions options)
+    : shipped_(std::filesystem::weakly_canonical(shipped)),
+      games_(std::move(games)),
+      own_(std::move(own)),
+      options_(std::move(options)) {}
 
 void Browser::show() {
   shown_ = appearing_ = true;
@@ -91,7 +95,7 @@ std::string Browser::neighbour(const std::string& path, int places) {
 }
 
 void Browser::list() {
-  scenes_ = list_scenes({shipped_, own_});
+  scenes_ = list_scenes({shipped_, games_, own_});
   listed_ = true;
 }
 
@@ -185,15 +189,16 @@ void Browser::draw_cards(const std::string& open) {
   const float width = (wide - between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   move_mark(columns);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, between});
-  bool own = false;
+  std::string_view folder = shipped_;
   int column = 0;
   for (std::size_t i = 0; i < shown_scenes_.size(); i++) {
     const SceneEntry& scene = scenes_[shown_scenes_[i]];
-    if (!own && search_.empty() && !scene.path.starts_with(shipped_)) {
-      own = true;
+    const std::string_view here = std::string_view(scene.path).substr(0, scene.path.rfind('/'));
+    if (search_.empty() && here != folder) {
+      folder = here;
       column = 0;
       ImGui::Spacing();
-      ImGui::TextDisabled("%.*s", static_cast<int>(scene.path.rfind('/')), scene.path.c_str());
+      ImGui::TextDisabled("%.*s", static_cast<int>(here.size()), here.data());
     }
     if (column > 0) ImGui::SameLine();
     column = (column + 1) % columns;

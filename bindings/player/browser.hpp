@@ -12,7 +12,7 @@ namespace pantin::player {
 class Browser {
  public:
   /// Scenes of `shipped`, then of `own`.
-  Browser(const std::string& shipped, std::string own, SceneOptions options);
+  Browser(const std::string& shipped, std::string games, std::string own, SceneOptions options);
 
   void show();
   void hide();
@@ -38,7 +38,7 @@ class Browser {
   int rank(const SceneEntry& scene) const;
   void move_mark(int columns);
 
-  std::string shipped_, own_;
+  std::string shipped_, games_, own_;
   SceneOptions options_;
   std::vector<SceneEntry> scenes_;
   std::vector<std::size_t> shown_scenes_;  ///< those that the search finds

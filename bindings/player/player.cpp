@@ -45,7 +45,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples, window_.scale()),
       hands_([this] { return new_hand(); }),
-      browser_(home + "/scripts/scenes", options.scenes, scene_options_),
+      browser_(home + "/scripts/scenes", home + "/examples/games", options.scenes, scene_options_),
       paused_(options.paused),
       views_(options.views) {
   renderer_.open(scene_->world());
