@@ -133,8 +133,8 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
 }
 
 /// Of what may be a stranger's.
-void add_untrusted(CLI::App& app, RunOptions& scene) {
-  app.add_flag("--untrusted", scene.untrusted,
+void add_untrusted(CLI::App& app, bool& untrusted) {
+  app.add_flag("--untrusted", untrusted,
                "For a stranger's scene: it reaches no file but those of its folder, no network and no other program");
 }
 
@@ -228,6 +228,7 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
   command->add_flag("--timed", sweep.timed, "With the processor time of each case, s, which differs from run to run");
+  add_untrusted(*command, sweep.untrusted);
   add_limits(*command, scene, texts);
 }
 
@@ -326,12 +327,12 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
   play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
       ->type_name("FILE");
   add_scene_options(*play, options.run, texts);
-  add_untrusted(*play, options.run);
+  add_untrusted(*play, options.run.untrusted);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one");
   add_state(*run, options.run);
   add_scene_options(*run, options.run, texts);
-  add_untrusted(*run, options.run);
+  add_untrusted(*run, options.run.untrusted);
   CLI::App* replay = app.add_subcommand("replay",
                                         "Does again what was recorded, to the bit, and checks that: in a window where "
                                         "there is a display, where one may go "
@@ -341,7 +342,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
   replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   add_look(*replay, texts);
   add_limits(*replay, options.run, texts);
-  add_untrusted(*replay, options.run);
+  add_untrusted(*replay, options.run.untrusted);
   add_threads(*replay, options.run);
   CLI::App* report = app.add_subcommand(
       "report",
@@ -351,10 +352,10 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
       ->type_name("PREFIX");
   add_settings(*report, texts);
   add_limits(*report, options.run, texts);
-  add_untrusted(*report, options.run);
+  add_untrusted(*report, options.run.untrusted);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
-  add_untrusted(*test, options.run);
+  add_untrusted(*test, options.run.untrusted);
   add_fuzz(*test, options.fuzz);
   add_soak(*test, options.soak);
   add_sweep(app, options.sweep, options.run, texts);

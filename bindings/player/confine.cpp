@@ -40,7 +40,15 @@ constexpr std::uint64_t to_write =
 constexpr std::uint64_t file_rights = LANDLOCK_ACCESS_FS_EXECUTE | to_write_file;
 constexpr rlim_t largest_file = rlim_t{4} << 30;  ///< [bytes]
 
-void lacks(const std::string& what) { say(text("--untrusted: ", what, ": ", std::strerror(errno))); }
+/// What could not be held back.
+class Lacks {
+ public:
+  void add(const std::string& what) { lines_.push_back(text("--untrusted: ", what, ": ", std::strerror(errno))); }
+  std::vector<std::string> lines() && { return std::move(lines_); }
+
+ private:
+  std::vector<std::string> lines_;
+};
 
 class Ruleset {
  public:
@@ -78,14 +86,14 @@ class Ruleset {
   int descriptor_ = -1;
 };
 
-void hold_files(const Reach& reach) {
+void hold_files(const Reach& reach, Lacks& lacks) {
   const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version < 1)
-    return lacks("this kernel has no Landlock, which files are reached is left to the program's own checks");
+    return lacks.add("this kernel has no Landlock, which files are reached is left to the program's own checks");
   Ruleset ruleset(version);
   for (const std::string& path : reach.read) ruleset.allow(path, to_read);
   for (const std::string& path : reach.write) ruleset.allow(path, to_write);
-  if (!ruleset.hold()) lacks("files are not held back");
+  if (!ruleset.hold()) lacks.add("files are not held back");
 }
 
 constexpr unsigned newest_known = SYS_landlock_restrict_self;
@@ -239,14 +247,14 @@ rlim_t data_in_use() {
   return read ? static_cast<rlim_t>(data) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-void limit(__rlimit_resource resource, rlim_t most, const char* what) {
+void limit(__rlimit_resource resource, rlim_t most, const char* what, Lacks& lacks) {
   rlimit now{};
   if (getrlimit(resource, &now) == 0) {
     now.rlim_max = std::min(now.rlim_max, most);
     now.rlim_cur = std::min(now.rlim_cur, now.rlim_max);
     if (setrlimit(resource, &now) == 0) return;
   }
-  lacks(what);
+  lacks.add(what);
 }
 
 std::string folder_of(const fs::path& file) {
@@ -285,14 +293,20 @@ void add_drawing(Reach& reach) {
   reach.write.insert(reach.write.end(), {"/dev/dri", "/dev/null"});
 }
 
-void confine(const Reach& reach) {
-  limit(RLIMIT_CORE, 0, "a crash may leave a core file");
-  limit(RLIMIT_FSIZE, largest_file, "files may grow");
-  limit(RLIMIT_DATA, data_in_use() + reach.memory, "memory is limited by the program's own checks alone");
-  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) lacks("other programs may get more rights");
-  hold_files(reach);
+std::vector<std::string> hold_back(const Reach& reach) {
+  Lacks lacks;
+  limit(RLIMIT_CORE, 0, "a crash may leave a core file", lacks);
+  limit(RLIMIT_FSIZE, largest_file, "files may grow", lacks);
+  limit(RLIMIT_DATA, data_in_use() + reach.memory, "memory is limited by the program's own checks alone", lacks);
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) lacks.add("other programs may get more rights");
+  hold_files(reach, lacks);
   if (Filter filter; !filter.hold())
-    lacks("this kernel has no filter of system calls, sockets and programs are not held back");
+    lacks.add("this kernel has no filter of system calls, sockets and programs are not held back");
+  return std::move(lacks).lines();
+}
+
+void confine(const Reach& reach) {
+  for (const std::string& line : hold_back(reach)) say(line);
 }
 
 }  // namespace pantin::player

@@ -20,7 +20,9 @@ Reach reach_of(const RunOptions& options, const std::string& scene, const std::s
 void add_drawing(Reach& reach);
 
 /// From here on this thread and all that it starts reach no other file, no socket, no other program or process, and write
-/// no file above 4 GiB. Where the kernel cannot hold one of them back, a line on standard error says so.
+/// no file above 4 GiB. A line for each of them that the kernel cannot hold back.
+std::vector<std::string> hold_back(const Reach& reach);
+/// The same; the lines go to standard error.
 void confine(const Reach& reach);
 
 }  // namespace pantin::player

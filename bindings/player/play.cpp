@@ -38,6 +38,7 @@ int play_unseen(RunOptions options, const std::string& home, const std::string& 
   options.outputs.push_back(name + ".png");
   options.outputs.push_back(name + (options.untrusted ? ".glb" : ".mp4"));
   say(text(why, ": running the scene to ", name, ".png and ", options.outputs.back(), " instead"));
+  if (!options.record.empty()) say(text("nobody plays, so nothing is recorded: there is no ", options.record));
   return run(options, home);
 }
 

@@ -92,6 +92,6 @@ class Replay {
 
 /// `pantin replay FILE`: in a window, or without one where there is no display or none is wanted; every hash that is come by
 /// is checked. Returns the exit code.
-int replay(const RunOptions& options, const std::string& file, const std::string& home);
+int replay(RunOptions options, const std::string& file, const std::string& home);
 
 }  // namespace pantin::player

@@ -12,7 +12,7 @@ namespace {
 
 int replay_in_window(const RunOptions& options, const std::string& file, const std::string& home) {
   Interrupt interrupt;
-  ReplayWindow window(read_recording(file), options, home);
+  ReplayWindow window(file, options, home);
   for (const std::string& remark : window.replay().remarks()) say(remark);
   while (window.frame()) {}
   if (window.display_lost()) say("the display went away: the replay ends here");
@@ -23,7 +23,6 @@ int replay_in_window(const RunOptions& options, const std::string& file, const s
 
 int replay_unseen(RunOptions options, const std::string& file, const std::string& home) {
   options.headless = true;
-  options.record.clear();  // it is read
   if (options.untrusted) confine(reach_of(options, file, home));
   Interrupt interrupt;
   Replay replay(read_recording(file), options, home);
@@ -47,8 +46,8 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
 
 }  // namespace
 
-int replay(const RunOptions& options, const std::string& file, const std::string& home) {
-  if (options.untrusted && !options.headless) throw UsageError("--untrusted replays without a window: add --headless");
+int replay(RunOptions options, const std::string& file, const std::string& home) {
+  options.record.clear();  // it is read
   if (options.headless) return replay_unseen(options, file, home);
   try {
     if (const Display display; display.seen()) return replay_in_window(options, file, home);

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "player/confine.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/marks.hpp"
@@ -42,17 +43,30 @@ std::vector<std::uint64_t> ticks_of_acts(const std::vector<RecordedAct>& acts) {
   return ticks;
 }
 
+/// Of a stranger, where the window is there to draw it.
+void confine_window(const std::string& recording, const RunOptions& options, const std::string& home) {
+  Reach reach = reach_of(options, recording, home);
+  add_drawing(reach);
+  confine(reach);
+}
+
+Replay open_replay(const std::string& recording, const RunOptions& options, const std::string& home) {
+  if (options.untrusted) confine_window(recording, options, home);
+  return {read_recording(recording), options, home};
+}
+
 }  // namespace
 
-ReplayWindow::ReplayWindow(Recording recording, const RunOptions& options, const std::string& home)
+ReplayWindow::ReplayWindow(const std::string& recording, const RunOptions& options, const std::string& home)
     : options_(options),
-      replay_(std::move(recording), options, home),
-      openings_(replay_.openings()),
-      window_(open_window(title() + " - Pantin", options.size)),
+      window_(open_window(scene_name(recording) + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : 4, window_.scale()),
+      replay_(open_replay(recording, options, home)),
+      openings_(replay_.openings()),
       views_(options.views),
       marked_(ticks_of_acts(replay_.acts())),
       paused_(options.paused) {
+  window_.set_title(title() + " - Pantin");
   if (replay_.scene().dark()) views_.set(View::dark, true);
   renderer_.open(replay_.scene().world());
   camera_ = aim(replay_.scene(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());

@@ -18,8 +18,8 @@ namespace pantin::player {
 /// A recording that is played again in a window: one may go to any time of it. Hands do nothing here.
 class ReplayWindow {
  public:
-  /// Throws what Replay throws, or NoWindow.
-  ReplayWindow(Recording recording, const RunOptions& options, const std::string& home);
+  /// Of a file. Throws what read_recording and Replay throw, or NoWindow.
+  ReplayWindow(const std::string& recording, const RunOptions& options, const std::string& home);
 
   /// One frame: input, the steps that are due, a picture. False once it is over.
   bool frame();
@@ -59,10 +59,10 @@ class ReplayWindow {
   void draw_remarks();
 
   RunOptions options_;
-  Replay replay_;
-  std::uint64_t openings_;  ///< of the replay's scene, when it was seen last
   Window window_;
   Renderer renderer_;
+  Replay replay_;
+  std::uint64_t openings_;  ///< of the replay's scene, when it was seen last
   Camera camera_;
   Follower follower_;
   Speaker speaker_;

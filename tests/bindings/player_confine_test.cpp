@@ -9,6 +9,18 @@
 using namespace pantin;
 using Catch::Contains;
 
+namespace {
+
+/// What was allowed, each with a semicolon.
+std::string allowed(const std::string& told) {
+  std::string all;
+  for (std::size_t at = 0; (at = told.find("ALLOWED ", at)) != std::string::npos; at++)
+    all += told.substr(at + 8, told.find('\n', at) - at - 8) + "; ";
+  return all;
+}
+
+}  // namespace
+
 TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but its folder and its outputs") {
   if (sources::preload("attacks").empty()) return;
   const std::string command = GENERATE("run", "report", "test");
@@ -29,11 +41,43 @@ TEST_CASE("confine: a process that runs a stranger's scene reaches nothing but i
   CHECK_THAT(done.err, Contains("ALLOWED starts a thread"));
   CHECK((done.err.find("ALLOWED writes beside the outputs") != std::string::npos) == writes);
   CHECK(support::lines(done.err) >= 23);
-  std::string allowed;
-  for (std::size_t at = 0; (at = done.err.find("ALLOWED ", at)) != std::string::npos; at++)
-    allowed += done.err.substr(at + 8, done.err.find('\n', at) - at - 8) + "; ";
-  CHECK(allowed == (writes ? "reads the scene's folder; writes beside the outputs; starts a thread; "
-                           : "reads the scene's folder; starts a thread; "));
+  CHECK(allowed(done.err) == (writes ? "reads the scene's folder; writes beside the outputs; starts a thread; "
+                                     : "reads the scene's folder; starts a thread; "));
+}
+
+TEST_CASE("confine: processes of a stranger's sweep reach nothing but its folder") {
+  if (sources::preload("attacks").empty()) return;
+  support::Folder folder;
+  std::filesystem::create_directory(folder.path / "out");
+  std::filesystem::create_symlink("/etc/passwd", folder.path / "link");
+  support::write_file(folder / "attacked.lua", support::swing);
+  support::Process::Options options = support::options({"sweep", "--untrusted", "attacked.lua", "--seeds", "1:2",
+                                                        "--jobs", "1", "--until", "0.1", "--out", "out/table.csv"},
+                                                       folder.path);
+  options.environment.push_back("LD_PRELOAD=" + sources::preload("attacks"));
+  options.environment.push_back("PANTIN_ATTACK=children");
+  const support::Finished done = support::finish(options);
+  INFO(done.err);
+  CHECK(done.code == 0);
+  const std::string each = "reads the scene's folder; starts a thread; ";
+  CHECK(allowed(done.err) == each + each);  // of the process that looks, and of the one that runs the cases
+}
+
+TEST_CASE("confine: a stranger's sweep has the table of any other") {
+  support::Folder folder;
+  support::write_file(folder / "scene.lua",
+                      "local n = scene:param('n', 2, { min = 1, max = 9 })\nscene:result('double', 2 * n)\n"
+                      "scene:particle { at = vec(n, 0, 0) }");
+  const auto sweep = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"sweep", "scene.lua", "--until", "0.1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return support::use(folder, arguments);
+  };
+  CHECK(sweep({"--set", "n=1:3:3", "--out", "free.csv"}).code == 0);
+  CHECK(sweep({"--set", "n=1:3:3", "--out", "held.csv", "--untrusted"}).code == 0);
+  CHECK(support::read_file(folder / "held.csv") == support::read_file(folder / "free.csv"));
+  CHECK_THAT(sweep({"--set", "n=1:10:10", "--out", "t.csv", "--untrusted"}).err,
+             Contains("n must be at most 9, got 10"));
 }
 
 TEST_CASE("confine: an untrusted scene runs as any other") {

@@ -1,4 +1,4 @@
-// `pantin play --untrusted`, attacked once its window is open.
+// `pantin play --untrusted` and `pantin replay --untrusted`, attacked once their windows are open.
 #include "player/confine.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,4 +27,26 @@ TEST_CASE("confine: a window that plays a stranger's scene reaches nothing but i
   CHECK_THAT(done.err, Contains("refused clones"));
   CHECK(support::lines(done.err) >= 23);
   CHECK(support::read_file(folder / "out/picture.png") != "");
+}
+
+TEST_CASE("confine: a window that shows a stranger's recording reaches nothing but its folder", "[window]") {
+  if (sources::preload("attacks").empty()) return;
+  support::Folder folder;
+  support::write_file(folder / "scene.lua", support::swing);
+  const auto finish = [&](std::vector<std::string> arguments, std::vector<std::string> more) {
+    arguments.insert(arguments.begin(), sources::program());
+    more.push_back("PANTIN_HOME=" + sources::folder());
+    return support::finish({arguments, more, folder.path, -1});
+  };
+  REQUIRE(finish({"play", "scene.lua", "--until", "0.1", "--record", "attacked.lua"}, {}).code == 0);
+  const support::Finished done =
+      finish({"replay", "--untrusted", "attacked.lua", "--until", "0.1"}, {"LD_PRELOAD=" + sources::preload("attacks")});
+  INFO(done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("refused reads /etc/passwd"));
+  CHECK_THAT(done.err, Contains("ALLOWED reads the scene's folder"));
+  CHECK_THAT(done.err, Contains("refused writes the scene"));
+  CHECK_THAT(done.err, Contains("refused opens a socket"));
+  CHECK_THAT(done.err, Contains("refused clones"));
+  CHECK(support::lines(done.err) >= 23);
 }

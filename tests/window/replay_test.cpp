@@ -63,7 +63,7 @@ struct Watched {
 
   explicit Watched(const std::string& file) {
     pushed::no_screen();
-    window = std::make_unique<player::ReplayWindow>(player::read_recording(file), run_options(), sources::folder());
+    window = std::make_unique<player::ReplayWindow>(file, run_options(), sources::folder());
     frames(3);
   }
   void frames(int n) {

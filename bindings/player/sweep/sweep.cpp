@@ -1,14 +1,13 @@
 #include "player/sweep/sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <optional>
 #include <thread>
+#include <utility>
 
-#include "lua/scene/open.hpp"
+#include "player/confine.hpp"
 #include "player/csv.hpp"
 #include "player/hdf5_table.hpp"
 #include "player/home.hpp"
@@ -20,6 +19,7 @@
 #include "player/sweep/course.hpp"
 #include "player/sweep/foreman.hpp"
 #include "player/sweep/journal.hpp"
+#include "player/sweep/look.hpp"
 #include "player/sweep/ranks.hpp"
 #include "player/sweep/workers.hpp"
 #include "scene/errors.hpp"
@@ -50,68 +50,6 @@ std::vector<Axis> read_axes(const SweepOptions& options) {
     for (std::size_t j = 0; j < i; j++)
       if (axes[i].name == axes[j].name) throw UsageError(text("'", axes[i].name, "' is set twice"));
   return axes;
-}
-
-/// What is known of the scene before the first case.
-struct SceneLook {
-  std::map<std::string, SceneParameter> parameters;  ///< by name; empty where it cannot be opened so
-  std::string unknown;                               ///< why what is set is none of it; empty: it is
-};
-
-/// Opens the scene once, as its first case where that can be opened.
-SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, const std::string& home,
-                        const SweepOptions& options) {
-  SceneOptions first = limits(options, home);
-  for (const Axis& axis : axes)
-    if (!axis.values.empty() || axis.whole) first.set[axis.name] = axis.value(0);
-  SceneLook look;
-  for (const SceneOptions& tried : {first, limits(options, home)}) try {
-      const auto scene = lua::open_scene(path, tried);
-      for (const SceneParameter& p : scene->parameters()) look.parameters[p.name] = p;
-      for (const Axis& axis : axes)
-        if (!look.parameters.contains(axis.name) && !axis.name.starts_with("scene."))
-          look.unknown = text("the scene has no parameter '", axis.name, "'");
-      break;
-    } catch (const UsageError& error) {
-      look.unknown = error.what();
-      break;
-    } catch (const Error&) {}  // where neither can be opened the cases tell, each its own
-  return look;
-}
-
-/// Throws UsageError where a parameter does not take what it is to be.
-void check_range(const Axis& axis, const SceneParameter& parameter) {
-  std::vector<double> all = {axis.from, axis.to};
-  if (!axis.values.empty()) all.clear();
-  for (const std::string& value : axis.values)
-    if (const auto number = number_or_fraction(value)) all.push_back(*number);
-  for (const double value : all) {
-    if (parameter.min && value < *parameter.min)
-      throw UsageError(text(axis.name, " must be at least ", *parameter.min, ", got ", value));
-    if (parameter.max && value > *parameter.max)
-      throw UsageError(text(axis.name, " must be at most ", *parameter.max, ", got ", value));
-  }
-}
-
-/// What is set is in the range of its parameter; ranges of whole numbers have whole numbers.
-void settle_whole(std::vector<Axis>& axes, const SceneLook& look) {
-  if (!look.unknown.empty()) throw UsageError(look.unknown);
-  for (Axis& axis : axes) {
-    const auto known = look.parameters.find(axis.name);
-    if (known == look.parameters.end()) continue;
-    check_range(axis, known->second);
-    if (!known->second.integer || !axis.values.empty()) continue;
-    axis.whole = true;
-    if (std::ceil(std::min(axis.from, axis.to)) > std::floor(std::max(axis.from, axis.to)))
-      throw UsageError(text("'", axis.name,
-                            "' is a whole number in this scene, as its default has no point: there is none "
-                            "from ",
-                            axis.from, " to ", axis.to));
-    if (static_cast<double>(axis.count) > std::abs(axis.to - axis.from) + 1.0)
-      throw UsageError(text("'", axis.name,
-                            "' is a whole number in this scene, as its default has no point: there are no ", axis.count,
-                            " of them from ", axis.from, " to ", axis.to));
-  }
 }
 
 /// What makes a sweep another one: all on which a row depends that did not fail.
@@ -196,6 +134,32 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
   return tell_end(options, rows, best ? &*best : nullptr);
 }
 
+/// What is left to a process that runs a case: it writes nothing.
+Reach reach_of_case(const SweepOptions& options, const std::string& path, const std::string& home) {
+  RunOptions run;
+  run.threads = 1;
+  run.memory_limit = options.memory_limit;
+  return reach_of(run, path, home);
+}
+
+/// By a process of its own, which may die of it, or be confined.
+SceneLook look_aside(const SweepOptions& options, const std::vector<Axis>& axes, const std::string& path,
+                     const std::string& home) {
+  Workers worker(1, [&](const std::string&) {
+    std::vector<std::string> lacks;
+    if (options.untrusted) lacks = hold_back(reach_of_case(options, path, home));
+    SceneLook look = look_at_scene(axes, path, limits(options, home));
+    look.lacks = std::move(lacks);
+    return text_of(look);
+  });
+  SceneLook look;
+  std::optional<std::string> piece = "look";
+  worker.run([&] { return std::exchange(piece, std::nullopt); }, [&](const std::string& told) { look = look_of(told); },
+             [](const std::string&, const std::string&) {});  // the cases tell how
+  for (const std::string& line : look.lacks) say(line);
+  return look;
+}
+
 /// Throws UsageError.
 Cases cases_of(std::vector<Axis> axes, const SweepOptions& options) {
   if (options.wanted.column.empty()) return {std::move(axes), options.sample};
@@ -216,9 +180,12 @@ int sweep(const SweepOptions& options, const std::string& home) {
     throw UsageError(
         "--retry-failed is of no use to --best and --least: where they went after a failed case depends on it");
   const std::uint64_t known = cases_of(axes, options).count();
-  settle_whole(axes, look_at_scene(axes, path, home, options));
+  Interrupt interrupt;
+  settle_whole(axes, look_aside(options, axes, path, home));
   Cases cases = cases_of(std::move(axes), options);
+  bool confined = !options.untrusted;  // the process that does it
   const auto work = [&](const std::string& text) {
+    if (!std::exchange(confined, true)) hold_back(reach_of_case(options, path, home));
     const CaseOrder order = order_of(text);
     return line_of(run_case(order.number, path, case_options(options, home, order), options.until, options.timed));
   };
@@ -228,7 +195,6 @@ int sweep(const SweepOptions& options, const std::string& home) {
     foreman.emplace(work, row_of_dead);
     ranks.emplace();
   }
-  Interrupt interrupt;
   if (ranks && !ranks->first()) {
     ranks->serve([&](const std::string& piece) { return foreman->result_of(piece); });
     return 0;

@@ -20,6 +20,7 @@ struct SweepOptions {
   Wanted wanted;                                    ///< what is searched for
   bool retry_failed = false;                        ///< cases that failed are run again, others are not
   bool overwrite = false;                           ///< a table that is there may be lost
+  bool untrusted = false;                           ///< each process is confined
   int jobs = 0;                                     ///< processes; 0: as many as there are processors
   bool timed = false;                               ///< with a column of processor time, which differs from run to run
   double script_limit = 5.0;                        ///< [s] 0: none
