@@ -39,8 +39,8 @@ TEST_CASE("confine: a window that shows a stranger's recording reaches nothing b
     return support::finish({arguments, more, folder.path, -1});
   };
   REQUIRE(finish({"play", "scene.lua", "--until", "0.1", "--record", "attacked.lua"}, {}).code == 0);
-  const support::Finished done =
-      finish({"replay", "--untrusted", "attacked.lua", "--until", "0.1"}, {"LD_PRELOAD=" + sources::preload("attacks")});
+  const support::Finished done = finish({"replay", "--untrusted", "attacked.lua", "--until", "0.1"},
+                                        {"LD_PRELOAD=" + sources::preload("attacks")});
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK_THAT(done.err, Contains("refused reads /etc/passwd"));
