@@ -223,7 +223,8 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
                     "Of a sweep that was finished or stopped, runs the failed cases again, with another limit if you "
                     "like, and keeps the others");
   command->add_flag("--overwrite", sweep.overwrite,
-                    "Begins anew where that table is there already, which is lost; else that is refused");
+                    "Begins anew where that table is there already, which is lost with its journal; else another table "
+                    "than this sweep's is refused");
   command->add_option("--jobs", sweep.jobs, "Processes; 0: one for each processor. The table is the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");

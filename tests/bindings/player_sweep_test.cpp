@@ -96,7 +96,7 @@ TEST_CASE("sweep: the table has a row a case, the same by one process and by sev
   CHECK(sweep_pendulum(three, arguments).code == 0);
   const std::string table = read_file(one / "t.csv");
   CHECK(table == read_file(three / "t.csv"));
-  CHECK(one.files() == std::vector<std::string>{"pendulum.lua", "t.csv"});
+  CHECK(one.files() == std::vector<std::string>{"pendulum.lua", "t.csv", "t.csv.journal"});
   const auto rows = rows_of(table);
   REQUIRE(rows.size() == 41);
   CHECK_THAT(rows[0], Contains("case,length,links,scene.seed,noise,height last,height least,height largest,time"));
@@ -154,7 +154,6 @@ TEST_CASE("sweep: killed at any moment it goes on, and comes to the same table")
   }
   if (!std::filesystem::exists(cut / "t.csv")) REQUIRE(use(cut, arguments).code == 0);
   CHECK(read_file(cut / "t.csv") == read_file(whole / "t.csv"));
-  CHECK_FALSE(std::filesystem::exists(cut / "t.csv.journal"));
 }
 
 TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or changed by hand, is refused") {
@@ -181,17 +180,34 @@ TEST_CASE("sweep: two into one table are refused") {
   CHECK_THROWS_WITH(player::Journal(table, "one"), Contains("another sweep is writing"));
 }
 
+TEST_CASE("sweep: one that is finished is not done again, and its table is written again where it is gone") {
+  Folder folder;
+  const std::vector<std::string> lengths = {"--set", "length=4,5"};
+  const Finished first = sweep_pendulum(folder, lengths);
+  const std::string table = read_file(folder / "t.csv"), journal = read_file(folder / "t.csv.journal");
+  const Finished again = sweep_pendulum(folder, lengths);
+  CHECK((again.code == 0 && again.out == first.out));
+  CHECK_THAT(again.err, Contains("nothing is left to do") && Contains("--retry-failed"));
+  CHECK(read_file(folder / "t.csv.journal") == journal);
+  std::filesystem::remove(folder / "t.csv");
+  CHECK(sweep_pendulum(folder, lengths).code == 0);
+  CHECK(read_file(folder / "t.csv") == table);
+}
+
 TEST_CASE("sweep: a table that is there is lost with --overwrite alone, whoever made it") {
   Folder folder;
   REQUIRE(sweep_pendulum(folder, {"--set", "length=1,2"}).code == 0);
   const std::string first = read_file(folder / "t.csv");
-  for (const char* lengths : {"length=1,2", "length=1,2,3"}) {  // the same sweep, and another
-    const Finished refused = sweep_pendulum(folder, {"--set", lengths});
-    CHECK(refused.code == 2);
-    CHECK_THAT(refused.err, Contains("t.csv is there already") && Contains("--overwrite"));
+  const auto refused = [&](const char* lengths, const char* why) {
+    const Finished run = sweep_pendulum(folder, {"--set", lengths});
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err, Contains(why) && Contains("--overwrite"));
     CHECK(read_file(folder / "t.csv") == first);
-    CHECK(folder.files() == std::vector<std::string>{"pendulum.lua", "t.csv"});
-  }
+  };
+  refused("length=1,2,3", "of another sweep");
+  std::filesystem::remove(folder / "t.csv.journal");
+  refused("length=1,2", "t.csv is there already");
+  CHECK(folder.files() == std::vector<std::string>{"pendulum.lua", "t.csv"});
   write_file(folder / "t.csv", first + "a note\n");
   CHECK(sweep_pendulum(folder, {"--set", "length=1,2"}).code == 2);
   CHECK(read_file(folder / "t.csv") == first + "a note\n");
@@ -203,12 +219,10 @@ TEST_CASE("sweep: where cases failed, neither the table nor its journal is lost 
   Folder folder;
   REQUIRE(sweep_pendulum(folder, {"--set", "length=4,5"}).code == 0);
   const std::string table = read_file(folder / "t.csv"), journal = read_file(folder / "t.csv.journal");
-  for (const char* lengths : {"length=4,5", "length=1,2"}) {
-    CHECK_THAT(sweep_pendulum(folder, {"--set", lengths}).err,
-               Contains("t.csv is finished") && Contains("--overwrite"));
-    CHECK(read_file(folder / "t.csv") == table);
-    CHECK(read_file(folder / "t.csv.journal") == journal);
-  }
+  CHECK_THAT(sweep_pendulum(folder, {"--set", "length=1,2"}).err,
+             Contains("t.csv.journal is of another sweep") && Contains("--overwrite"));
+  CHECK(read_file(folder / "t.csv") == table);
+  CHECK(read_file(folder / "t.csv.journal") == journal);
   write_file(folder / "t.csv", table + "a note\n");
   const Finished altered = sweep_pendulum(folder, {"--set", "length=4,5", "--retry-failed"});
   CHECK(altered.code == 2);
@@ -227,8 +241,7 @@ TEST_CASE("sweep: a table that came while it ran stays, and once that is moved t
   CHECK_THROWS_WITH(journal.check_table(), Contains("is there already"));
   std::filesystem::remove(table);
   journal.check_table();
-  journal.expect_table("theirs");
-  write_file(table, "theirs");  // killed before the journal goes: the same command is done at once
+  journal.finish([&] { write_file(table, "theirs"); }, "theirs");
   journal.check_table();
 }
 
@@ -348,7 +361,7 @@ TEST_CASE("sweep: --retry-failed runs failed cases again, with another limit, an
   };
   const Finished first = run({"0.05"});
   CHECK(first.out == "3 cases, 1 of them failed: t.csv\n");
-  CHECK_THAT(first.err, Contains("--retry-failed") && Contains("t.csv.journal"));
+  CHECK_THAT(first.err, Contains("--retry-failed"));
   const auto before = rows_of(read_file(folder / "t.csv"));
   CHECK_THAT(before.at(1), Contains("did not come back"));
   const std::string journal = read_file(folder / "t.csv.journal");
@@ -371,7 +384,8 @@ TEST_CASE("sweep: --retry-failed runs failed cases again, with another limit, an
   CHECK(after.at(1) != before.at(1));
   CHECK(std::vector(after.begin() + 2, after.end()) ==
         std::vector(before.begin() + 2, before.end()));  // `seconds`, too
-  CHECK(folder.files() == std::vector<std::string>{"factor.lua", "slow.lua", "t.csv"});
+  CHECK_THAT(run({"100", "--retry-failed"}).err, Contains("nothing is left to do"));
+  std::filesystem::remove(folder / "t.csv.journal");
   refused("nothing to run again");
   CHECK(folder.files() == std::vector<std::string>{"factor.lua", "slow.lua", "t.csv"});
 }

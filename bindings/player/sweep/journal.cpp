@@ -86,13 +86,13 @@ Journal::Journal(std::string table, const std::string& sweep, JournalWish wish)
 
 Journal::~Journal() { ::close(file_); }
 
-/// Locked, and still the file of that name: a sweep that ends takes it away.
+/// Locked, and still the file of that name: a sweep that is refused takes it away.
 void Journal::open() {
   while (true) {
     file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | (wish_.retry ? 0 : O_CREAT), 0666);
     if (file_ < 0 && errno == ENOENT && wish_.retry)
       throw UsageError(text("there is nothing to run again: ", path_,
-                            ", which stays where cases fail, is not there. Without --retry-failed all cases are run"));
+                            ", which a sweep leaves, is not there. Without --retry-failed all cases are run"));
     if (file_ < 0) throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
     const int failed = flock(file_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     struct stat locked {
@@ -113,19 +113,16 @@ void Journal::open() {
 
 void Journal::begin(const std::string& sweep) {
   std::string content = file_content(path_).value_or("");
-  if (!wish_.retry && content.ends_with(checked(finished))) {
-    if (!wish_.overwrite)
-      throw UsageError(
-          text(table_,
-               " is finished, but for cases that failed: --retry-failed runs those again, --overwrite runs "
-               "all anew, or give another --out"));
+  finished_ = content.ends_with(checked(finished));
+  if (finished_ && wish_.overwrite && !wish_.retry) {
+    finished_ = false;
     content.clear();
     cut_off_at(0);
   }
   read(content, sweep);
   check_table();
   if (content.find('\n') == std::string::npos) write_line(sweep);
-  if (wish_.retry) std::erase_if(rows_, [](const auto& row) { return failed(row.second); });
+  if (wish_.retry && std::erase_if(rows_, [](const auto& row) { return failed(row.second); }) > 0) finished_ = false;
 }
 
 void Journal::read(const std::string& content, const std::string& sweep) {
@@ -142,6 +139,10 @@ void Journal::read(const std::string& content, const std::string& sweep) {
       throw UsageError(text(path_,
                             ": what failed there is of another sweep, or its scene was changed since; with "
                             "--overwrite in place of --retry-failed all cases are run anew"));
+    if (line == 1 && text_.substr(17) != sweep && finished_)
+      throw UsageError(text(path_,
+                            " is of another sweep, or its scene was changed since: give another --out, or lose it and "
+                            "its table with --overwrite"));
     if (line == 1 && text_.substr(17) != sweep)
       refuse("what is begun here is another sweep, or its scene was changed since");
     if (line > 1) read_line(text_.substr(17));
@@ -169,12 +170,6 @@ void Journal::check_table() const {
   throw UsageError(text(table_, " is there already: give another --out, or lose it with --overwrite"));
 }
 
-void Journal::expect_table(const std::string& content) {
-  const std::string hash = hash_text(content);
-  write_line(table_is + hash);
-  tables_.insert(hash);
-}
-
 void Journal::cut_off_at(std::size_t size) {
   if (ftruncate(file_, static_cast<off_t>(size)) != 0)
     throw UsageError(text("cannot write ", path_, ": ", std::strerror(errno)));
@@ -194,6 +189,13 @@ void Journal::add(CaseRow row) {
 
 void Journal::remove() { unlink(path_.c_str()); }
 
-void Journal::finish() { write_line(finished); }
+void Journal::finish(const std::function<void()>& keep_table, const std::string& content) {
+  const std::string hash = hash_text(content);
+  write_line(table_is + hash);
+  tables_.insert(hash);
+  keep_table();
+  write_line(finished);
+  finished_ = true;
+}
 
 }  // namespace pantin::player

@@ -1,5 +1,7 @@
 #pragma once
-// The rows of a sweep that are finished, beside its table: what was stopped, at any moment, goes on with the rest.
+// The rows of a sweep that are finished, beside its table: what was stopped, at any moment, goes on with the rest, and what is done
+// is not done again.
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -31,12 +33,12 @@ class Journal {
   const Cells& files() const { return files_; }
   /// Throws UsageError where there is a table now that is not of this sweep, and may not be lost.
   void check_table() const;
-  /// What the table is to be: from now on it may be replaced.
-  void expect_table(const std::string& content);
-  /// All is in the table: the file goes.
+  /// Keeps a table of that content, by which it is known from now on: all is in it.
+  void finish(const std::function<void()>& keep_table, const std::string& content);
+  /// No command is to go on with these rows.
   void remove();
-  /// All is in the table, but the file stays.
-  void finish();
+  /// Whether all is in its table, or was when that was written.
+  bool is_finished() const { return finished_; }
 
  private:
   void open();
@@ -49,6 +51,7 @@ class Journal {
   std::string table_, path_;
   JournalWish wish_;
   int file_ = -1;
+  bool finished_ = false;
   std::set<std::string> tables_;  ///< hashes of those that this sweep wrote
   std::map<std::uint64_t, CaseRow> rows_;
   Cells files_;

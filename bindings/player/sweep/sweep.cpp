@@ -114,23 +114,23 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
   std::optional<Best> best;
   if (!options.wanted.column.empty()) best.emplace(cases, options.wanted);
   const Rows& rows = journal.rows();
-  if (!rows.empty()) say(text("going on: ", rows.size(), " of ", cases.count(), " cases are done already"));
+  if (journal.is_finished())
+    say("nothing is left to do: this sweep is finished");
+  else if (!rows.empty())
+    say(text("going on: ", rows.size(), " of ", cases.count(), " cases are done already"));
   if (!do_cases(options, ranks, cases, journal, best ? &*best : nullptr, work)) {
     say(text("stopped: ", rows.size(), " of ", cases.count(),
              " cases are done; the same command goes on with the rest"));
     return 1;
   }
   const std::string content = table_content(options.out, case_columns(cases, rows, options.timed));
-  Output table(options.out);
-  table.write(content);
-  journal.check_table();
-  journal.expect_table(content);
-  table.keep();
-  const bool to_retry = !best && failures(rows) > 0;
-  to_retry ? journal.finish() : journal.remove();
-  if (to_retry)
-    say(text("the same command with --retry-failed runs those that failed again, as ", options.out,
-             ".journal is kept"));
+  if (!journal.is_finished() || file_content(options.out) != content) {
+    Output table(options.out);
+    table.write(content);
+    journal.check_table();
+    journal.finish([&] { table.keep(); }, content);
+  }
+  if (!best && failures(rows) > 0) say("the same command with --retry-failed runs those that failed again");
   return tell_end(options, rows, best ? &*best : nullptr);
 }
 
