@@ -307,6 +307,7 @@ void add_lammps(CLI::App& app, LammpsOptions& lammps, RunOptions& scene, Texts& 
   runs->add_option("--out", lammps.out, "The state at the end [the scene's name and -lammps.pantin]")
       ->check(check_state)
       ->type_name("FILE.pantin");
+  runs->add_flag("--overwrite", lammps.overwrite, "A state that is there already is lost; else that is refused");
   runs->add_option("--folder", lammps.folder, "Folder for LAMMPS' files and log [the state's name without its ending]")
       ->type_name("FOLDER");
   add_for_lammps(*runs, lammps, scene, texts);

@@ -10,6 +10,7 @@
 #include "bindings/program_support.hpp"
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
+#include "player/lammps/folder.hpp"
 
 using namespace pantin;
 using namespace pantin::support;
@@ -99,7 +100,7 @@ Finished export_scene(const Folder& folder, const std::string& source, std::vect
 Finished run_scene(const Folder& folder, const std::string& source, std::vector<std::string> more,
                    const std::string& path = "") {
   write_file(folder / "scene.lua", source);
-  std::vector<std::string> arguments = {"lammps", "scene.lua", "--out", "back.pantin"};
+  std::vector<std::string> arguments = {"lammps", "scene.lua", "--out", "back.pantin", "--overwrite"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Process::Options all = options(arguments, folder.path);
   all.environment.emplace_back("OMPI_MCA_rmaps_base_oversubscribe=1");
@@ -452,7 +453,8 @@ TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it 
   const auto [source, steps] = GENERATE(table<const char*, const char*>({{melt, "100"}, {bodies, "80"}}));
   const Folder folder;
   const auto bring = [&](const std::string& dump, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {"lammps", "scene.lua", "--from-dump", dump, "--out", "dumped.pantin"};
+    std::vector<std::string> arguments = {"lammps", "scene.lua",     "--from-dump", dump,
+                                          "--out",  "dumped.pantin", "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return use(folder, arguments);
   };
@@ -495,6 +497,20 @@ TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it 
   CHECK_THAT(bring("files/scene.data").err, Contains("no text dump of LAMMPS"));
   CHECK_THAT(bring("none.dump").err, Contains("none.dump"));
   CHECK_THAT(bring("files/end.dump", {"--ranks", "2"}).err, Contains("--ranks"));
+  CHECK_THAT(bring("files/end.dump", {"--until", "0.5"}).err, Contains("is at 0.4 s by the scene's step; it is taken"));
+}
+
+TEST_CASE("lammps: a state that is there is lost with --overwrite alone, and two into one folder are refused") {
+  const Folder folder;
+  write_file(folder / "scene.lua", melt);
+  write_file(folder / "back.pantin", "mine");
+  const Finished run = use(folder, {"lammps", "scene.lua", "--out", "back.pantin"});
+  CHECK(run.code == 2);
+  CHECK_THAT(run.err, Contains("back.pantin is there already") && Contains("--overwrite"));
+  CHECK(read_file(folder / "back.pantin") == "mine");
+  const player::FolderLock first(folder / "files");
+  CHECK_THAT(use(folder, {"export", "scene.lua", "--lammps", "files"}).err,
+             Contains("another program is writing into files"));
 }
 
 TEST_CASE("lammps: a dump of other particles is told as one") {
@@ -508,7 +524,7 @@ TEST_CASE("lammps: a dump of other particles is told as one") {
                "ITEM: TIMESTEP\n120\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 "
                "1\nITEM: ATOMS vx vy vz id element x y z\n" +
                    rows);
-    return use(folder, {"lammps", "scene.lua", "--from-dump", "x.dump", "--out", "back.pantin"});
+    return use(folder, {"lammps", "scene.lua", "--from-dump", "x.dump", "--out", "back.pantin", "--overwrite"});
   };
   const Finished good = bring("0 0 1 2 H 4 1 0\n0 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n");
   INFO(good.err);

@@ -125,6 +125,8 @@ TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothin
   refused({}, "needs --set");
   refused({"--set", "mass=1,2"}, "no parameter 'mass'");
   refused({"--set", "mass=1:2:3"}, "no parameter 'mass'");
+  refused({"--set", "lenght=1:2:3"}, "Did you mean 'length'?");
+  refused({"--seeds", "5:1"}, "the first comes before the last, 1:5");
   refused({"--set", "length=1,2", "--set", "length=3"}, "set twice");
   refused({"--set", "links=1:3:9"}, "a whole number in this scene");
   refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");

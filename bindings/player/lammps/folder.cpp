@@ -1,6 +1,11 @@
 #include "player/lammps/folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -369,8 +374,19 @@ void write_tables(const std::string& folder, const char* of, bool of_pairs, std:
 
 }  // namespace
 
-void write_lammps(const std::string& folder, const World& world, const LammpsSystem& system, const LammpsTask& task) {
+FolderLock::FolderLock(const std::string& folder) {
   make_folder(folder);
+  folder_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder_ < 0 || flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(folder_);
+  throw UsageError(text("another program is writing into ", folder, ": name another folder"));
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) close(folder_);
+}
+
+void write_lammps(const std::string& folder, const World& world, const LammpsSystem& system, const LammpsTask& task) {
   const bool lepton = all_lepton(system);
   write_file(folder, "scene.data", data_text(world, system, task.name));
   write_tables(folder, "pair", true, system.pair_tables);

@@ -18,8 +18,21 @@ struct LammpsTask {
   std::vector<std::string> notes;  ///< what is done otherwise than here, a sentence each
 };
 
+/// A folder, made where it is not there, that no other export or run of LAMMPS writes to while this lives. Throws UsageError where one
+/// does, and where it holds something else.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_ = -1;
+};
+
 /// Writes a system as files that `lmp -in in.scene` reads in their folder: in.scene, scene.data, pair.table, bond.table,
-/// laws.tables, laws.lepton. Makes the folder; throws UsageError where it holds something else.
+/// laws.tables, laws.lepton.
 void write_lammps(const std::string& folder, const World& world, const LammpsSystem& system, const LammpsTask& task);
 
 }  // namespace pantin::player

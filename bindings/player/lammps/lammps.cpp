@@ -85,6 +85,8 @@ void check_turns(const World& world, const LammpsSystem& system, double seconds,
 void check_scene(const Scene& scene, double until) {
   const std::vector<std::string> refused = refused_by_lammps(scene, until);
   if (refused.empty()) return;
+  for (const LogLine& line : scene.world().log)
+    if (line.kind == "warning") say(line.text);
   std::string all = text(scene.file(), " has what LAMMPS cannot be given:");
   for (const std::string& one : refused) all += "\n  " + one;
   throw Error(all);
@@ -105,6 +107,8 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
   const World& world = given.scene->world();
   const double until = wanted.until.value_or(given.scene->duration().value_or(usual_duration));
   const double steps = std::round((until - world.time) / world.settings.step);
+  if (until < world.time)
+    throw UsageError(text("the end, ", until, " s, is before the scene's time, ", world.time, " s"));
   if (steps < 1.0)
     throw UsageError(text("the end, ", until, " s, is less than half a step of ", world.settings.step, " s away from ",
                           world.time, " s"));
@@ -234,22 +238,29 @@ void remove_dumps(const std::string& folder) {
   for (const char* name : {"start.dump", "end.dump"}) fs::remove(fs::path(folder) / name, failed);
 }
 
-std::string state_name(const LammpsOptions& options, const LammpsScene& scene) {
-  return options.out.empty() ? scene_name(scene.path) + "-lammps" + state_ending : options.out;
+/// The state that is to be. Throws UsageError where it is there already, or cannot be written.
+std::string free_state_name(const LammpsOptions& options, const LammpsScene& scene) {
+  const std::string name = options.out.empty() ? scene_name(scene.path) + "-lammps" + state_ending : options.out;
+  if (!options.overwrite && fs::exists(name))
+    throw UsageError(text(name, " is there already: give another --out, or lose it with --overwrite"));
+  Output(name).drop();
+  return name;
 }
 
 /// What LAMMPS wrote elsewhere, as a state of the scene.
 int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
-  const std::string out = state_name(options, wanted);
+  const std::string out = free_state_name(options, wanted);
   const std::unique_ptr<Scene> scene = open(wanted);
   World& world = scene->world();
-  Output(out).drop();
   const LammpsSystem system = lammps_atoms(world);
   LammpsState state = read_state(options.dump, system, world.settings.box.has_value());
-  const double time = wanted.until.value_or(world.time + state.step * world.settings.step);
+  const double reached = world.time + state.step * world.settings.step, time = wanted.until.value_or(reached);
   require(time >= world.time, options.dump, ": it would be at ", time, " s, and the scene begins at ", world.time,
           " s");
   check_scene(*scene, time);
+  if (std::abs(time - reached) > 0.5 * world.settings.step)
+    say(text(options.dump, ": its step ", state.step, " is at ", reached,
+             " s by the scene's step; it is taken to be at ", time, " s, as --until says"));
   bring_back(world, system, std::move(state.atoms), time);
   save_state(*scene, out);
   std::printf("%zu particles of step %.0f, %.10g J by all laws; %g s: %s (pantin play %s)\n", system.atoms.size(),
@@ -283,6 +294,7 @@ int export_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
   Given given = give(options, scene);
+  const FolderLock lock(options.folder);
   given.task.back = way_back(options.folder, scene);
   write_lammps(options.folder, given.scene->world(), given.system, given.task);
   for (const std::string& note : given.task.notes) std::printf("note: %s\n", note.c_str());
@@ -296,7 +308,7 @@ int export_lammps(const LammpsOptions& options, const LammpsScene& scene) {
 int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   Interrupt interrupt;
   if (!options.dump.empty()) return bring_dump(options, scene);
-  const std::string out = state_name(options, scene);
+  const std::string out = free_state_name(options, scene);
   const std::string folder = options.folder.empty() ? fs::path(out).replace_extension("").string() : options.folder;
   const int ranks =
       options.ranks > 0 ? options.ranks : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -305,8 +317,8 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   if (!given.system.bodies.empty()) require_package(version, "RIGID");
   if (!given.system.bonds.empty()) require_package(version, "MOLECULE");
   World& world = given.scene->world();
-  Output(out).drop();          // whether it can be written,
-  (void)given.scene->state();  // and be kept in a file, is known before hours are spent
+  (void)given.scene->state();  // whether it can be kept in a file is known before hours are spent
+  const FolderLock lock(folder);
   write_lammps(folder, world, given.system, given.task);
   remove_dumps(folder);
   for (const std::string& note : given.task.notes) say(note);

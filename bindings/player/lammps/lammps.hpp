@@ -9,11 +9,12 @@
 namespace pantin::player {
 
 struct LammpsOptions {
-  std::string folder;   ///< for its files; of `lammps` empty: the state's name without its ending
-  std::string out;      ///< the state that is brought back; empty: the scene's name and -lammps.pantin
-  std::string dump;     ///< that LAMMPS wrote elsewhere, to be brought back; empty: it is run
-  int ranks = 0;        ///< processes; 0: one for each processor
-  double error = 1e-6;  ///< of tables, see TableWish
+  std::string folder;      ///< for its files; of `lammps` empty: the state's name without its ending
+  std::string out;         ///< the state that is brought back; empty: the scene's name and -lammps.pantin
+  std::string dump;        ///< that LAMMPS wrote elsewhere, to be brought back; empty: it is run
+  int ranks = 0;           ///< processes; 0: one for each processor
+  double error = 1e-6;     ///< of tables, see TableWish
+  bool overwrite = false;  ///< a state that is there may be lost
 };
 
 /// The scene that is meant, how it is opened, and the time at which the run is to end [s]; none: the scene's duration.

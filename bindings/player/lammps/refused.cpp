@@ -158,8 +158,8 @@ void look_at_events(const Scene& scene, double until, Refusals& refusals) {
 /// Why LAMMPS has no such law; empty: it has.
 std::string why_not(const Law& law, bool of_pair) {
   if (law.called)
-    return "it is called in Lua for each pair, since it could not be traced (the log says why); write it so that it "
-           "can";
+    return text("it is called in Lua for each ", of_pair ? "pair" : "particle",
+                ", since it could not be traced (said above); write it so that it can");
   if (law.kind == LawKind::many) return "it is a law of three or four particles; use springs between pairs";
   if (law.kind == LawKind::pair)
     return "its force is a vector, not along the line of the pair; write it as a potential of r";
@@ -167,7 +167,7 @@ std::string why_not(const Law& law, bool of_pair) {
   if (law.timed && !law.thermal) return "it depends on time or noise; leave it out";
   if (law.velocity_dependent && !law.thermal)
     return of_pair ? "it depends on velocities; leave its damping out, and cool by force.thermostat"
-                   : "it depends on velocities; of these LAMMPS gets force.thermostat alone";
+                   : "it depends on velocities; leave its friction or damping out, LAMMPS gets force.thermostat alone";
   if (!law.also) return "";
   const std::string why = why_not(*law.also, of_pair);
   return why.empty() ? "it has a part without energy beside one with; make them two laws" : why;
@@ -200,7 +200,7 @@ void look_at_laws(Refusals& refusals) {
       refusals.add("a connection to a position of the world", describe(world, id),
                    "hold the particle by a field, as a potential of its position");
     if (std::isfinite(row.max_force) || std::isfinite(row.max_length))
-      refusals.add("a connection that may break", describe(world, id), "give it no max_force and max_length");
+      refusals.add("a connection that may break", describe(world, id), "give it no breaks_at");
   }
 }
 

@@ -120,6 +120,8 @@ Axis read_seeds(const std::string& seeds) {
     axis.count = *last - *first + 1;
     axis.whole = true;
   } else {
+    if (ends.size() == 2 && first && last && *first > *last)
+      throw UsageError(text("--seeds ", seeds, ": the first comes before the last, ", ends[1], ':', ends[0]));
     axis.values = split(seeds, ',');
     for (const std::string& seed : axis.values)
       if (!number_of<std::uint64_t>(seed))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lua/scene/open.hpp"
+#include "player/csv.hpp"
 #include "player/json.hpp"
 #include "scene/errors.hpp"
 
@@ -24,6 +25,15 @@ void check_range(const Axis& axis, const ParameterLook& parameter) {
   }
 }
 
+/// What the scene says of a parameter that it has not.
+std::string why_unknown(const Axis& axis, const std::string& path, SceneOptions options) {
+  options.set[axis.name] = number_text(axis.from);
+  try {
+    lua::open_scene(path, options);
+  } catch (const UsageError& error) { return error.what(); }
+  return text("the scene has no parameter '", axis.name, "'");
+}
+
 Json json_of_bound(const std::optional<double>& bound) { return bound ? Json(*bound) : Json(); }
 
 std::optional<double> bound_of(const Json& json) {
@@ -42,7 +52,7 @@ SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, 
       for (const SceneParameter& p : scene->parameters()) look.parameters[p.name] = {p.min, p.max, p.integer};
       for (const Axis& axis : axes)
         if (!look.parameters.contains(axis.name) && !axis.name.starts_with("scene."))
-          look.unknown = text("the scene has no parameter '", axis.name, "'");
+          look.unknown = why_unknown(axis, path, limits);
       break;
     } catch (const UsageError& error) {
       look.unknown = error.what();

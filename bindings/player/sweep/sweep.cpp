@@ -99,7 +99,7 @@ int tell_end(const SweepOptions& options, const Rows& rows, const Best* best) {
   if (bad == rows.size())
     say(text("all failed, the first with: ", error_of(rows.begin()->second)));
   else if (best && found.empty())
-    say(text("nothing is best: wherever cases told '", options.wanted.column, "', one failed, or it was not finite"));
+    say(text("nothing is best: no case that did not fail told a finite '", options.wanted.column, "'"));
   std::printf("%zu cases, %llu of them failed: %s\n", rows.size(), static_cast<unsigned long long>(bad),
               options.out.c_str());
   if (!found.empty()) std::printf("%s\n", found.c_str());
