@@ -47,6 +47,11 @@ std::string cut_story(const World& world, const std::vector<AnyId>& things) {
   return "cut " + counted(things.size(), kind_of(world, things[0], false), first);
 }
 
+/// A place on a body that is seen, at the height where a plane keeps the body; things of any thickness can be tied there.
+Vec3 within_plane(const World& world, BodyId body, Vec3 seen) {
+  return world.bodies.alive(body) ? world.plane.beside(seen, world.motion_of(body).x) : seen;
+}
+
 enum Joins : std::size_t { by_hinge, by_rod, by_rope, by_spring, by_chain, by_ball_hinge };
 enum Spins : std::size_t { once, motor };
 
@@ -383,8 +388,9 @@ void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   const bool hinged = choice_.variant == by_hinge || choice_.variant == by_ball_hinge;
   Command c = command_there(viewport, hinged ? Command::Kind::join : Command::Kind::tie);
   const Held end = pick_held(viewport, x_, y_);
-  c.position = start(viewport);
+  c.position = within_plane(viewport.world, point_ ? BodyId{} : body_, start(viewport));
   c.points = {end ? shown_place(viewport.world, end) : viewport.place(x_, y_, depth_)};
+  if (!end.point) c.points[0] = within_plane(viewport.world, end ? end.body : body_, c.points[0]);
   c.other = end.point;
   if (!end.point && end.body) c.other_thing = end.body;
   const bool same = end && (end.point ? end.point == point_ : end.body == body_);
