@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/stable.hpp"
 #include "choreography/choreography.hpp"
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
@@ -98,8 +99,8 @@ void connect(World& world, const BondingDef& def, ParticleId a, ParticleId b) {
 /// Draws pairs together, the nearest first; what is being joined already, or held by something else, waits.
 void join_pairs(World& world, const BondingDef& def, std::vector<std::array<ParticleId, 2>> pairs) {
   const auto distance = [&](const auto& pair) { return norm(position(world, pair[0]) - position(world, pair[1])); };
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  sort_stably(pairs.begin(), pairs.end(),
+              [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
   std::unordered_set<ParticleId> joining;
   const auto is_free = [&](ParticleId id) { return !joining.contains(id) && ties_of(world, id).empty(); };
   for (const auto& [a, b] : pairs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
 
@@ -47,7 +48,7 @@ void add_from_before(const std::vector<Contact>& past, std::vector<Contact>& lis
     if (std::binary_search(past.begin(), past.end(), c, is_before)) c.place_index = -1;
   const auto middle = static_cast<std::ptrdiff_t>(list.size());
   list.insert(list.end(), past.begin(), past.end());
-  std::inplace_merge(list.begin(), list.begin() + middle, list.end(), by_key);
+  merge_sorted(list.begin(), list.begin() + middle, list.end(), by_key);
 }
 
 }  // namespace

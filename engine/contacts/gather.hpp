@@ -6,6 +6,7 @@
 
 #include "articulates/solve/scalar_rows.hpp"
 #include "base/parallel.hpp"
+#include "base/stable.hpp"
 #include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/contact.hpp"
@@ -88,7 +89,7 @@ void share_islands(Workers& workers, std::span<TouchIsland> islands, F&& f) {
     for (TouchIsland& island : islands) f(island);
     return;
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
+  sort_stably(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
     return islands[x].contacts.size() > islands[y].contacts.size();
   });
   workers.run(order.size(), [&](std::size_t task, int) {

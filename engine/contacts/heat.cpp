@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/touching.hpp"
 
@@ -48,7 +49,7 @@ namespace {
 
 /// One of each pair, rising.
 std::vector<TouchHeat> summed(std::vector<TouchHeat> list) {
-  std::stable_sort(list.begin(), list.end(), [](const TouchHeat& x, const TouchHeat& y) { return x.pair < y.pair; });
+  sort_stably(list.begin(), list.end(), [](const TouchHeat& x, const TouchHeat& y) { return x.pair < y.pair; });
   std::vector<TouchHeat> sums;
   for (const TouchHeat& one : list) {
     if (sums.empty() || sums.back().pair != one.pair) sums.push_back({one.pair});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stable.hpp"
 #include "contacts/feature_pair.hpp"
 #include "contacts/manifold_parts.hpp"
 #include "contacts/triangle_prism.hpp"
@@ -209,7 +210,7 @@ void drop_told(const OnTriangles& on, Manifold& manifold) {
 std::size_t part_plane(std::vector<TrianglePoint>& points, double near) {
   const ManifoldPoint first = points.front().point;
   const auto on_b = [](const ManifoldPoint& p) { return p.on_a - p.normal * p.gap; };
-  const auto others = std::stable_partition(points.begin(), points.end(), [&](const TrianglePoint& p) {
+  const auto others = partition_stably(points.begin(), points.end(), [&](const TrianglePoint& p) {
     return dot(p.point.normal, first.normal) < 1.0 - same_face_normal ||
            std::fabs(dot(first.normal, on_b(p.point) - on_b(first))) > near;
   });

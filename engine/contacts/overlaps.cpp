@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stable.hpp"
 #include "contacts/touching.hpp"
 
 namespace pantin {
@@ -62,7 +63,7 @@ std::vector<Stuck> take_stuck(const Model& model, Contacts& contacts, std::uint6
         stuck.push_back({pair_of(model, *deepest), -deepest->gap});
   }
   std::erase_if(contacts.put, is_due);
-  std::stable_sort(stuck.begin(), stuck.end(), [](const Stuck& x, const Stuck& y) { return x.depth > y.depth; });
+  sort_stably(stuck.begin(), stuck.end(), [](const Stuck& x, const Stuck& y) { return x.depth > y.depth; });
   return stuck;
 }
 

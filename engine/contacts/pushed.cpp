@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
 #include "shapes/ray.hpp"
@@ -125,7 +126,7 @@ bool find_pushed(const ThingsNow& p, ContactFinder& finder, std::span<const Touc
   drop_at_hinges(p, finder.hinged, found.list);
   const auto middle = static_cast<std::ptrdiff_t>(contacts.list.size());
   contacts.list.insert(contacts.list.end(), found.list.begin(), found.list.end());
-  std::inplace_merge(contacts.list.begin(), contacts.list.begin() + middle, contacts.list.end(), by_key);
+  merge_sorted(contacts.list.begin(), contacts.list.begin() + middle, contacts.list.end(), by_key);
   return !found.list.empty();
 }
 

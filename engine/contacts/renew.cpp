@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/stable.hpp"
 #include "contacts/find.hpp"
 
 namespace pantin {
@@ -61,8 +62,8 @@ std::vector<HingedPair> hinged_pairs(const Model& m) {
           pairs.push_back({a.slot - 1, b.slot - 1, arm(m, i), rotate(conjugate(m.motion_of(a).q), axis)});
       }
   }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const HingedPair& x, const HingedPair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  sort_stably(pairs.begin(), pairs.end(),
+              [](const HingedPair& x, const HingedPair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
   return pairs;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/heat.hpp"
 
@@ -35,7 +36,7 @@ void add(const Model& model, const Contact& c, double speed, std::vector<Touch>&
 
 /// One of each pair, rising: impulses add up, what is told of places is their mean by impulse, of speeds the largest.
 std::vector<Touch> summed(std::vector<Touch> list) {
-  std::stable_sort(list.begin(), list.end(), [](const Touch& x, const Touch& y) { return x.pair < y.pair; });
+  sort_stably(list.begin(), list.end(), [](const Touch& x, const Touch& y) { return x.pair < y.pair; });
   std::vector<Touch> sums;
   for (auto from = list.begin(); from != list.end();) {
     const auto end = std::find_if(from, list.end(), [&](const Touch& t) { return t.pair != from->pair; });
@@ -122,7 +123,7 @@ TouchChanges take_changes(const Model& model, Contacts& contacts) {
   std::erase_if(now, [&](const TouchPair& pair) { return !among(contacts.touching, pair); });
   const auto kept = static_cast<std::ptrdiff_t>(now.size());
   for (const Touch& touch : felt) now.push_back(touch.pair);
-  std::inplace_merge(now.begin(), now.begin() + kept, now.end());
+  merge_sorted(now.begin(), now.begin() + kept, now.end());
   now.erase(std::unique(now.begin(), now.end()), now.end());
 
   TouchChanges changes;

@@ -7,6 +7,7 @@
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/sets.hpp"
+#include "base/stable.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/held.hpp"
 #include "contacts/resting.hpp"
@@ -234,7 +235,7 @@ std::vector<Island> islands_of(World& world, std::vector<Thing>& things) {
     else
       watch_anew(rest);
   }
-  std::stable_sort(things.begin(), things.end(), [](const Thing& x, const Thing& y) { return x.island < y.island; });
+  sort_stably(things.begin(), things.end(), [](const Thing& x, const Thing& y) { return x.island < y.island; });
   std::vector<Island> islands;
   for (std::size_t from = 0, to = 0; from < things.size(); from = to) {
     while (to < things.size() && things[to].island == things[from].island) to++;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/hash.hpp"
+#include "base/stable.hpp"
 #include "laws/expression.hpp"
 
 namespace pantin {
@@ -53,7 +54,7 @@ void Expressions::put_in_order(std::span<Expr> outputs) {
     if (node.kind == Kind::constant) return to = ordered.constant(node.value);
     if (node.kind == Kind::input) return to = ordered.input(inputs_[node.index]);
     const bool any_order = node.kind != Kind::function;
-    if (any_order) std::stable_sort(node.terms.begin(), node.terms.end(), before);
+    if (any_order) sort_stably(node.terms.begin(), node.terms.end(), before);
     for (auto& [term, factor] : node.terms) term = self(self, term);
     if (any_order) std::sort(node.terms.begin(), node.terms.end());
     return to = ordered.intern(std::move(node));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stable.hpp"
 #include "measure/measure.hpp"
 #include "measure/near_pairs.hpp"
 #include "world/checks.hpp"
@@ -40,7 +41,7 @@ std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, doub
   std::vector<std::vector<AnyId>> found(ids.size());
   for (std::size_t i = 0; i < ids.size(); i++) found[sets.root(i)].push_back(ids[i]);
   std::erase_if(found, [](const auto& cluster) { return cluster.empty(); });
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  sort_stably(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return found;
 }
 

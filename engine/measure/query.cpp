@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stable.hpp"
 #include "laws/run/sites.hpp"
 #include "world/checks.hpp"
 
@@ -68,7 +69,7 @@ std::vector<ParticleId> near(const World& world, Vec3 at, double radius) {
   for (ParticleId p : particles(world))
     if (const double distance = norm(box.nearest(position(world, p) - at)); distance <= radius)
       found.push_back({distance, p});
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  sort_stably(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<ParticleId> list;
   for (const auto& [distance, p] : found) list.push_back(p);
   return list;

@@ -1,4 +1,5 @@
 // From hinges to the order in which a tree is eliminated, and what does not change of it.
+#include "base/stable.hpp"
 #include "trees/tree.hpp"
 
 #include <algorithm>
@@ -142,7 +143,7 @@ void set_pairs(Tree& tree, const Elimination& e) {
   std::vector<std::int32_t> order(tree.nodes);
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](std::int32_t v) { return std::pair{e.height[static_cast<std::size_t>(v)], e.kind(v)}; };
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  sort_stably(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
   tree.slots.assign(e.graph.size(), 0);
   tree.pairs.reserve(order.size());
   for (std::size_t i = 0; i < order.size(); i++) {

@@ -490,12 +490,17 @@ TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it 
     CHECK_THAT(bad.err, Contains("bad.dump") && Contains(why));
   };
   refused(dump, " xu yu", " xs ys", "it has no column 'xu'");
+  refused(dump, "\n1 ", "\n1abc ", "'1abc' is no number");
   refused(dump, " xu yu zu", " x y z", "it has no column 'xu'");
   refused(dump, "ITEM: ATOMS", "ITEM: ATOM", "no whole dump");
   refused(dump, "ITEM: TIMESTEP", "LAMMPS data", "no text dump");
   refused(dump.substr(0, dump.size() - 5), "ITEM", "ITEM", "no whole dump");
   CHECK_THAT(bring("files/scene.data").err, Contains("no text dump of LAMMPS"));
   CHECK_THAT(bring("none.dump").err, Contains("none.dump"));
+  if (exported.err.empty() && dump.find("BOX BOUNDS pp pp pp") != std::string::npos) {  // by a barostat, say
+    const std::size_t box = dump.find('\n', dump.find("BOX BOUNDS")) + 1;
+    refused(dump, dump.substr(box, dump.find('\n', box) - box).c_str(), "0 7", "its box is 7 x");
+  }
   CHECK_THAT(bring("files/end.dump", {"--ranks", "2"}).err, Contains("--ranks"));
   CHECK_THAT(bring("files/end.dump", {"--until", "0.5"}).err, Contains("is at 0.4 s by the scene's step; it is taken"));
 }

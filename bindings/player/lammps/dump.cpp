@@ -89,7 +89,10 @@ class Picture {
     T value{};
     const std::size_t begin = std::min(from.find_first_not_of(" \t"), from.size());
     const auto [after, error] = std::from_chars(from.data() + begin, from.data() + from.size(), value);
-    require(error == std::errc{}, path_, ": '", printable(from), "' is no number; this is no whole dump of LAMMPS");
+    const bool whole =
+        std::string_view(after, from.data() + from.size()).find_first_not_of(" \t\r") == std::string_view::npos;
+    require(error == std::errc{} && whole, path_, ": '", printable(from),
+            "' is no number; this is no whole dump of LAMMPS");
     return value;
   }
   double extent_of(std::string_view bounds) const {
@@ -120,13 +123,23 @@ std::vector<std::size_t> beginnings(const std::string& content) {
   return list;
 }
 
-LammpsState state_of(Picture picture, const std::string& path, const LammpsSystem& system, bool periodic) {
+/// LAMMPS may have changed it, as its barostats do.
+void check_box(const Picture& picture, const std::string& path, const Vec3& box) {
+  for (std::size_t k = 0; k < 3; k++)
+    require(std::abs(picture.edges[k] - box[k]) <= 1e-9 * box[k], path, ": its box is ", picture.edges[0], " x ",
+            picture.edges[1], " x ", picture.edges[2], " m, and the scene's ", box[0], " x ", box[1], " x ", box[2],
+            " m");
+}
+
+LammpsState state_of(Picture picture, const std::string& path, const LammpsSystem& system,
+                     const std::optional<Vec3>& box) {
   const std::size_t count = system.atoms.size();
+  if (box) check_box(picture, path, *box);
   require(picture.count == count, path, ": it has ", picture.count, " atoms, and the scene has ", count,
           ": LAMMPS lost some, or it is of another scene");
   std::vector<const char*> columns = {"xu", "yu", "zu", "vx", "vy", "vz"};
   const bool unwrapped = picture.has({"xu", "yu", "zu"}), turns = picture.has({"ix", "iy", "iz"});
-  if (!unwrapped && picture.has({"x", "y", "z"}) && (turns || !periodic)) columns = {"x", "y", "z", "vx", "vy", "vz"};
+  if (!unwrapped && picture.has({"x", "y", "z"}) && (turns || !box)) columns = {"x", "y", "z", "vx", "vy", "vz"};
   if (!unwrapped && turns) columns.insert(columns.end(), {"ix", "iy", "iz"});
   const bool typed = picture.has({"type"});
   if (typed) columns.push_back("type");
@@ -254,12 +267,12 @@ std::vector<Vec3> read_forces(const std::string& path, std::size_t count) {
   return forces;
 }
 
-LammpsState read_state(const std::string& path, const LammpsSystem& system, bool periodic) {
+LammpsState read_state(const std::string& path, const LammpsSystem& system, const std::optional<Vec3>& box) {
   const std::string content = content_of(path);
   const std::vector<std::size_t> begins = beginnings(content);
   require(!begins.empty(), path, ": this is no text dump of LAMMPS");
   const auto read = [&](std::size_t begin) {
-    return state_of(Picture(std::string_view(content).substr(begin), path), path, system, periodic);
+    return state_of(Picture(std::string_view(content).substr(begin), path), path, system, box);
   };
   if (begins.size() == 1) return read(begins.back());
   try {

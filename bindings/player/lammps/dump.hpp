@@ -1,6 +1,7 @@
 #pragma once
 // What LAMMPS wrote of its atoms, and how it comes back into the scene.
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct LammpsState {
 /// (atoms) [N] of a text dump with the columns id, fx, fy, fz. Throws Error where it is not whole.
 std::vector<Vec3> read_forces(const std::string& path, std::size_t count);
 /// The last whole picture of a text dump, with columns in any order: id, vx, vy, vz, and xu, yu, zu, or x, y, z with ix, iy, iz
-/// (without them where nothing is periodic). Throws Error where there is none, or it is not of these atoms.
-LammpsState read_state(const std::string& path, const LammpsSystem& system, bool periodic);
+/// (without them where nothing is periodic). Throws Error where there is none, or it is not of these atoms or of this box [m], where there is one.
+LammpsState read_state(const std::string& path, const LammpsSystem& system, const std::optional<Vec3>& box);
 
 /// Puts particles and bodies where LAMMPS has them, with its velocities, at `time` [s]. Throws Error.
 void bring_back(World& world, const LammpsSystem& system, DumpedAtoms atoms, double time);

@@ -225,7 +225,7 @@ std::string laws_text(const LammpsSystem& system, bool by_tables) {
   out += pair_laws_text(system, by_tables);
   const LawTable& first = system.bond_tables[0].table;  // all are alike
   out += by_tables ? text("bond_style table ", first.spline ? "spline " : "linear ", first.r.size(), "\n")
-                   : std::string("bond_style lepton\n");
+                   : std::string("bond_style lepton no_offset\n");
   for (std::size_t i = 0; i < system.bond_tables.size(); i++) {
     const LammpsTable& t = system.bond_tables[i];
     out += text("bond_coeff ", i + 1,
@@ -263,7 +263,9 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
                       : "",
                   "\n");
   out += "# A particle that comes nearer, or a bond that leaves its table, ends the run: the step is too long then.\n";
-  if (lepton) out += "# LAMMPS from 2023 on takes formulas in place of tables: -var laws lepton (slower, exact).\n";
+  if (lepton)
+    out += text("# LAMMPS from ", system.bonds.empty() ? "2023" : "February 2024",
+                " on takes formulas in place of tables: -var laws lepton (slower, exact).\n");
   for (std::size_t i = 0; i < system.types.size(); i++)
     out += text("# Type ", i + 1, ": ", words(describe(world, system, system.types[i])), ", ", system.types[i].mass,
                 " kg, ", system.types[i].count, " of them\n");

@@ -253,7 +253,7 @@ int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
   const std::unique_ptr<Scene> scene = open(wanted);
   World& world = scene->world();
   const LammpsSystem system = lammps_atoms(world);
-  LammpsState state = read_state(options.dump, system, world.settings.box.has_value());
+  LammpsState state = read_state(options.dump, system, world.settings.box);
   const double reached = world.time + state.step * world.settings.step, time = wanted.until.value_or(reached);
   require(time >= world.time, options.dump, ": it would be at ", time, " s, and the scene begins at ", world.time,
           " s");
@@ -327,8 +327,7 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   require(listener.check().done(), "LAMMPS did not tell its forces at the beginning (",
           (fs::path(folder) / "log.lammps").string(), ")");
   bring_back(world, given.system,
-             read_state((fs::path(folder) / "end.dump").string(), given.system, world.settings.box.has_value()).atoms,
-             given.until);
+             read_state((fs::path(folder) / "end.dump").string(), given.system, world.settings.box).atoms, given.until);
   listener.look_at_end();
   check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);
   save_state(*given.scene, out);

@@ -5,6 +5,7 @@
 #include "articulates/build/build.hpp"
 #include "articulates/build/edges.hpp"
 #include "articulates/solve/state.hpp"
+#include "base/stable.hpp"
 #include "constraints/kind.hpp"
 
 namespace pantin {
@@ -156,7 +157,7 @@ void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, s
   std::erase_if(loose, [&](std::uint32_t slot) { return std::binary_search(out.begin(), out.end(), slot); });
   const auto old = static_cast<std::ptrdiff_t>(loose.size());
   loose.insert(loose.end(), in.begin(), in.end());
-  std::inplace_merge(loose.begin(), loose.begin() + old, loose.end());
+  merge_sorted(loose.begin(), loose.begin() + old, loose.end());
 }
 
 /// Bodies move with the inertia that they have loose or tied.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stable.hpp"
 #include "laws/run/compress.hpp"
 
 namespace pantin {
@@ -88,7 +89,7 @@ void Scanner::find_pieces(const Cells::Line& line) {
                  line.row + j - row_turns * grid_.cells[Grid::of_row], shift, within_ && i == 0 && j == 0);
     }
   }
-  std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) { return p.shift < q.shift; });
+  sort_stably(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) { return p.shift < q.shift; });
 }
 
 void Scanner::add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift, bool self) {
