@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/program_support.hpp"
+#include "lua/scene/open.hpp"
+#include "player/recording.hpp"
+#include "player/replay.hpp"
 
 using namespace pantin;
 using Catch::Contains;
@@ -32,15 +35,20 @@ TEST_CASE("confine: a window that plays a stranger's scene reaches nothing but i
 TEST_CASE("confine: a window that shows a stranger's recording reaches nothing but its folder", "[window]") {
   if (sources::preload("attacks").empty()) return;
   support::Folder folder;
-  support::write_file(folder / "scene.lua", support::swing);
-  const auto finish = [&](std::vector<std::string> arguments, std::vector<std::string> more) {
-    arguments.insert(arguments.begin(), sources::program());
-    more.push_back("PANTIN_HOME=" + sources::folder());
-    return support::finish({arguments, more, folder.path, -1});
-  };
-  REQUIRE(finish({"play", "scene.lua", "--until", "0.1", "--record", "attacked.lua"}, {}).code == 0);
-  const support::Finished done = finish({"replay", "--untrusted", "attacked.lua", "--until", "0.1"},
-                                        {"LD_PRELOAD=" + sources::preload("attacks")});
+  const auto scene = lua::open_scene_text(support::swing, folder / "scene.lua", folder.path, {});
+  player::Recorder recorder(
+      folder / "attacked.lua",
+      {player::program_version(), folder / "scene.lua", {}, {{folder / "scene.lua", support::swing}}});
+  for (int i = 0; i < 24; i++) {
+    scene->step();
+    recorder.stepped(scene->world());
+  }
+  recorder.finish();
+  const support::Finished done =
+      support::finish({{sources::program(), "replay", "--untrusted", "attacked.lua", "--until", "0.1"},
+                       {"PANTIN_HOME=" + sources::folder(), "LD_PRELOAD=" + sources::preload("attacks")},
+                       folder.path,
+                       -1});
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK_THAT(done.err, Contains("refused reads /etc/passwd"));
