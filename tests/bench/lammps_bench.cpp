@@ -73,7 +73,7 @@ void bench_lammps(const player::BenchOptions& options) {
   const double clock = now(2), processors = processor_time();
   player::LammpsOptions lammps;
   const std::string files = lammps.folder = folder / "files";
-  player::export_lammps(lammps, {folder / "melt.lua", scene_options, 1.0});
+  player::export_lammps(lammps, {folder / "melt.lua", scene_options, 1.0, "melt.lua"});
   std::printf("opened and exported: %.1f s by the clock, %.1f s of processors\n\n", now(2) - clock,
               processor_time() - processors);
   const auto scene = lua::open_scene(folder / "melt.lua", scene_options);
