@@ -265,6 +265,11 @@ std::string folder_of(const fs::path& file) {
 constexpr const char* drawing[] = {"/usr",       "/lib", "/lib64",       "/etc/ld.so.cache", "/etc/drirc",
                                    "/etc/glvnd", "/sys", "/dev/urandom", "/etc/fonts"};
 
+void add_drawing(Reach& reach) {
+  reach.read.insert(reach.read.end(), std::begin(drawing), std::end(drawing));
+  reach.write.insert(reach.write.end(), {"/dev/dri", "/dev/null"});
+}
+
 }  // namespace
 
 Reach reach_of(const RunOptions& options, const std::string& scene, const std::string& home) {
@@ -288,9 +293,10 @@ Reach reach_of(const RunOptions& options, const std::string& scene, const std::s
   return reach;
 }
 
-void add_drawing(Reach& reach) {
-  reach.read.insert(reach.read.end(), std::begin(drawing), std::end(drawing));
-  reach.write.insert(reach.write.end(), {"/dev/dri", "/dev/null"});
+Reach reach_of_window(const RunOptions& options, const std::string& scene, const std::string& home) {
+  Reach reach = reach_of(options, scene, home);
+  add_drawing(reach);
+  return reach;
 }
 
 std::vector<std::string> hold_back(const Reach& reach) {

@@ -16,8 +16,8 @@ struct Reach {
 
 /// What a scene needs: its folder, the program's own files, the folders of what it is to write.
 Reach reach_of(const RunOptions& options, const std::string& scene, const std::string& home);
-/// What drivers need to draw: the system's libraries, and the graphics card.
-void add_drawing(Reach& reach);
+/// The same, and what drivers need to draw: the system's libraries, and the graphics card.
+Reach reach_of_window(const RunOptions& options, const std::string& scene, const std::string& home);
 
 /// From here on this thread and all that it starts reach no other file, no socket, no other program or process, and write
 /// no file above 4 GiB. A line for each of them that the kernel cannot hold back.

@@ -62,9 +62,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
 }
 
 void Player::confine_window(const std::string& home) {
-  Reach reach = reach_of(options_, path_.empty() ? options_.scenes + "/" : path_, home);
-  add_drawing(reach);
-  confine(reach);
+  confine(reach_of_window(options_, path_.empty() ? options_.scenes + "/" : path_, home));
 }
 
 SavedFile Player::lasting_of(const std::string& path) const {

@@ -43,15 +43,9 @@ std::vector<std::uint64_t> ticks_of_acts(const std::vector<RecordedAct>& acts) {
   return ticks;
 }
 
-/// Of a stranger, where the window is there to draw it.
-void confine_window(const std::string& recording, const RunOptions& options, const std::string& home) {
-  Reach reach = reach_of(options, recording, home);
-  add_drawing(reach);
-  confine(reach);
-}
-
+/// Where the window is there to draw it.
 Replay open_replay(const std::string& recording, const RunOptions& options, const std::string& home) {
-  if (options.untrusted) confine_window(recording, options, home);
+  if (options.untrusted) confine(reach_of_window(options, recording, home));
   return {read_recording(recording), options, home};
 }
 
