@@ -2,14 +2,19 @@
 #include "player/sweep/sweep.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <csignal>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "bindings/program_support.hpp"
+#include "player/sweep/bundle.hpp"
 #include "player/sweep/cases.hpp"
+#include "player/sweep/course.hpp"
 #include "player/sweep/foreman.hpp"
 #include "player/sweep/journal.hpp"
+#include "player/sweep/workers.hpp"
 #include "scene/errors.hpp"
 
 using namespace pantin;
@@ -295,6 +300,49 @@ TEST_CASE("sweep: what dies of a rank's work is told, and takes neither it nor w
   CHECK(foreman.result_of("one") == "did one");
   CHECK_THAT(foreman.result_of("die"), Contains("die: its process was ended by signal 9"));
   CHECK(foreman.result_of("two") == "did two");
+}
+
+TEST_CASE("sweep: of a bundle the cases that do not begin in time are left to whoever asks next") {
+  const player::Bundle bundle = {{3, {{"a", "1"}}}, {4, {{"a", "two\nlines"}, {"b", ""}}}, {5, {}}};
+  const auto run = [](const player::CaseOrder& order) {
+    if (order.number == 4) std::this_thread::sleep_for(std::chrono::duration<double>(1.1 * player::bundle_time));
+    return player::CaseRow{order.number, {}, {{"time", order.set.empty() ? "none" : order.set[0].second}}, {}};
+  };
+  const player::BundleResult result = player::result_of(player::run_bundle(text_of(bundle), run));
+  CHECK(result.seconds > player::bundle_time);
+  REQUIRE(result.rows.size() == 2);
+  CHECK(result.rows[1].number == 4);
+  CHECK(result.rows[1].measured == player::Cells{{"time", "two\nlines"}});
+  REQUIRE(result.left.size() == 1);
+  CHECK(result.left[0].number == 5);
+}
+
+TEST_CASE("sweep: of many short cases those whose process ends are rows, and each of the others has its own") {
+  const Folder folder;
+  const player::Cases cases({player::read_axis("a=1:200:200")}, 0);
+  player::Journal journal(folder / "t.csv", "a sweep");
+  const auto run = [](const player::CaseOrder& order) {
+    if (order.number == 77 || order.number == 78 || order.number == 199) raise(SIGKILL);
+    return player::CaseRow{order.number, order.set, {}, {}};
+  };
+  player::Course course(cases, journal, nullptr, 2);
+  player::Workers workers(2, [&](const std::string& bundle) { return player::run_bundle(bundle, run); });
+  int shared = 0;
+  const bool all = workers.run(
+      [&] {
+        shared++;
+        return course.next();
+      },
+      [&](const std::string& result) { course.keep(result); },
+      [&](const std::string& bundle, const std::string& how) { course.keep(player::result_of_dead(bundle, how)); });
+  CHECK(all);
+  CHECK(shared < 150);
+  REQUIRE(journal.rows().size() == 200);
+  for (const auto& [number, row] : journal.rows()) {
+    CAPTURE(number);
+    CHECK(failed(row) == (number == 77 || number == 78 || number == 199));
+    if (!failed(row)) CHECK(row.told == cases.settings(number));
+  }
 }
 
 TEST_CASE("sweep: a case that does not come back, or takes all memory, is stopped in its process, too") {

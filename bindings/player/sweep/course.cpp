@@ -19,10 +19,11 @@ void CaseProgress::show(std::uint64_t done, std::uint64_t failed) {
   line_.show(part, text(done, " of ", all_, " cases, ", failed, " failed, ", line_.time_left(of_these)));
 }
 
-Course::Course(const Cases& cases, Journal& journal, Best* best)
+Course::Course(const Cases& cases, Journal& journal, Best* best, int hands)
     : cases_(cases),
       journal_(journal),
       best_(best),
+      hands_(static_cast<std::uint64_t>(hands)),
       progress_(journal.rows().size(), cases.count()),
       bad_(failures(journal.rows())) {
   for (const auto& [path, hash] : journal.files()) {
@@ -42,10 +43,47 @@ std::optional<std::uint64_t> Course::next_number() {
   return next_++;
 }
 
-std::optional<CaseOrder> Course::next() {
+std::optional<CaseOrder> Course::next_order() {
+  if (!left_.empty()) {
+    CaseOrder order = std::move(left_.front());
+    left_.pop_front();
+    return order;
+  }
   const auto number = next_number();
   if (!number) return {};
   return CaseOrder{*number, cases_.settings(*number)};
+}
+
+/// So many that none waits long for another at the end; a search asks for what it knows.
+std::size_t Course::bundle_size() const {
+  if (best_) return 1;
+  const auto in_time = static_cast<std::uint64_t>(bundle_time / std::max(case_time_, 0.001 * bundle_time));
+  const std::uint64_t share = (cases_.count() - next_ + left_.size()) / (4 * hands_);
+  return std::max<std::uint64_t>(1, std::min(in_time, share));
+}
+
+std::optional<std::string> Course::next() {
+  Bundle bundle;
+  if (!suspects_.empty()) {
+    bundle.push_back(std::move(suspects_.front()));
+    suspects_.pop_front();
+    return text_of(bundle);
+  }
+  for (std::size_t left = bundle_size(); left > 0; left--) {
+    auto order = next_order();
+    if (!order) break;
+    bundle.push_back(std::move(*order));
+  }
+  if (bundle.empty()) return {};
+  return text_of(bundle);
+}
+
+void Course::keep(const std::string& text) {
+  BundleResult result = result_of(text);
+  std::deque<CaseOrder>& again = result.rows.empty() ? suspects_ : left_;
+  again.insert(again.end(), result.left.begin(), result.left.end());
+  if (!result.rows.empty()) case_time_ = result.seconds / static_cast<double>(result.rows.size());
+  for (CaseRow& row : result.rows) keep(std::move(row));
 }
 
 void Course::keep(CaseRow row) {

@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <sstream>
 
 #include "player/csv.hpp"
 #include "player/json.hpp"
@@ -35,25 +34,6 @@ Cells cells_of(const Json& list) {
 }
 
 }  // namespace
-
-std::string text_of(const CaseOrder& order) {
-  std::string all = std::to_string(order.number);
-  for (const auto& [name, value] : order.set) all += '\0' + name + '\0' + value;
-  return all;
-}
-
-CaseOrder order_of(const std::string& text) {
-  std::istringstream in(text);
-  CaseOrder order;
-  std::string part;
-  std::getline(in, part, '\0');
-  order.number = std::stoull(part);
-  for (std::string name, value; std::getline(in, name, '\0');) {
-    if (!std::getline(in, value, '\0')) value.clear();
-    order.set.emplace_back(name, value);
-  }
-  return order;
-}
 
 std::string line_of(const CaseRow& row) {
   const Json json = {{"case", row.number},

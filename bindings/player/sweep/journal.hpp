@@ -61,12 +61,4 @@ class Journal {
 std::string line_of(const CaseRow& row);
 CaseRow row_of(const std::string& line);
 
-/// A case that is to be run: its number, and what is set. As a text, and back.
-struct CaseOrder {
-  std::uint64_t number = 0;
-  Cells set;
-};
-std::string text_of(const CaseOrder& order);
-CaseOrder order_of(const std::string& text);
-
 }  // namespace pantin::player

@@ -1,6 +1,7 @@
 #pragma once
 // The processes that mpirun or Slurm started: the first hands out pieces of work as texts, the others do them.
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -19,16 +20,22 @@ class Ranks {
   Ranks& operator=(const Ranks&) = delete;
 
   bool first() const { return rank_ == 0; }
-  /// Of the first: asks `next` for work until it has none though all is done, and tells `done` of each result. False where Ctrl-C came before
-  /// all was done. The others are then told to end.
+  /// How many do pieces of work.
+  int hands() const { return count_ - 1; }
+  /// Of the first: asks `next` for work until it has none though all is done, and tells `done` of each result. `ahead`: whether
+  /// one that has work gets another piece, so that it need not wait for it. False where Ctrl-C came before all was done. The
+  /// others are then told to end.
   bool hand_out(const std::function<std::optional<std::string>()>& next,
-                const std::function<void(const std::string& result)>& done);
+                const std::function<void(const std::string& result)>& done, const std::function<bool()>& ahead);
   /// Of the others: until they are told to end.
   void serve(const std::function<std::string(const std::string&)>& work);
   /// Of the first, where it goes no farther: the others end, too.
   void dismiss();
 
  private:
+  struct Post;
+
+  std::unique_ptr<Post> post_;
   int rank_ = 0, count_ = 1;
   bool dismissed_ = false;
 };

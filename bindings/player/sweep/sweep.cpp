@@ -16,6 +16,7 @@
 #include "player/options.hpp"
 #include "player/output.hpp"
 #include "player/saved_state.hpp"
+#include "player/sweep/bundle.hpp"
 #include "player/sweep/course.hpp"
 #include "player/sweep/foreman.hpp"
 #include "player/sweep/journal.hpp"
@@ -72,24 +73,17 @@ int jobs_of(const SweepOptions& options, std::uint64_t cases) {
   return static_cast<int>(std::min<std::uint64_t>(static_cast<std::uint64_t>(most), std::max<std::uint64_t>(1, cases)));
 }
 
-/// The row, as a text, of a case whose process ended.
-std::string row_of_dead(const std::string& order, const std::string& how) {
-  return line_of({order_of(order).number, {}, {{"error", how}}, {}});
-}
-
 /// False where Ctrl-C came first.
 bool do_cases(const SweepOptions& options, Ranks* ranks, const Cases& cases, Journal& journal, Best* best,
               const std::function<std::string(const std::string&)>& work) {
-  Course course(cases, journal, best);
-  const auto next = [&]() -> std::optional<std::string> {
-    const auto order = course.next();
-    return order ? std::optional(text_of(*order)) : std::nullopt;
-  };
-  const auto done = [&](const std::string& line) { course.keep(row_of(line)); };
-  if (ranks) return ranks->hand_out(next, done);
-  Workers workers(jobs_of(options, cases.count() - journal.rows().size()), work);
-  return workers.run(next, done,
-                     [&](const std::string& order, const std::string& how) { done(row_of_dead(order, how)); });
+  const int hands = ranks ? ranks->hands() : jobs_of(options, cases.count() - journal.rows().size());
+  Course course(cases, journal, best, hands);
+  const auto next = [&] { return course.next(); };
+  const auto done = [&](const std::string& result) { course.keep(result); };
+  if (ranks) return ranks->hand_out(next, done, [&] { return course.is_quick(); });
+  Workers workers(hands, work);
+  return workers.run(
+      next, done, [&](const std::string& bundle, const std::string& how) { course.keep(result_of_dead(bundle, how)); });
 }
 
 /// What it came to. The exit code.
@@ -184,15 +178,16 @@ int sweep(const SweepOptions& options, const std::string& home) {
   settle_whole(axes, look_aside(options, axes, path, home));
   Cases cases = cases_of(std::move(axes), options);
   bool confined = !options.untrusted;  // the process that does it
-  const auto work = [&](const std::string& text) {
+  const auto work = [&](const std::string& bundle) {
     if (!std::exchange(confined, true)) hold_back(reach_of_case(options, path, home));
-    const CaseOrder order = order_of(text);
-    return line_of(run_case(order.number, path, case_options(options, home, order), options.until, options.timed));
+    return run_bundle(bundle, [&](const CaseOrder& order) {
+      return run_case(order.number, path, case_options(options, home, order), options.until, options.timed);
+    });
   };
   std::optional<Ranks> ranks;
   std::optional<Foreman> foreman;
   if (ranks_started() > 1) {
-    foreman.emplace(work, row_of_dead);
+    foreman.emplace(work, result_of_dead);
     ranks.emplace();
   }
   if (ranks && !ranks->first()) {
