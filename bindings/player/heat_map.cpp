@@ -68,6 +68,36 @@ double part_of(double value, double least, double largest, bool logarithmic) {
   return largest > least ? (value - least) / (largest - least) : 0.5;
 }
 
+/// Where a value is in the map, each axis from 0 to 1.
+struct Spot {
+  double x, y;
+  std::string color;
+};
+
+/// Each place in the colour of the value that is nearest in the picture, and a dot at each value.
+void draw_nearest(std::string& svg, const std::vector<Spot>& spots) {
+  constexpr int count = 105;  // of places along a side
+  constexpr double side = map_side / count;
+  for (int j = 0; j < count; j++) {
+    std::vector<const Spot*> nearest;
+    for (int i = 0; i < count; i++) {
+      const auto distance = [&](const Spot& spot) {
+        return std::hypot(spot.x - (i + 0.5) / count, spot.y - (j + 0.5) / count);
+      };
+      nearest.push_back(&*std::ranges::min_element(spots, {}, distance));
+    }
+    for (int i = 0, from = 0; i < count; from = i) {
+      while (i < count && nearest[static_cast<std::size_t>(i)] == nearest[static_cast<std::size_t>(from)]) i++;
+      const double low = map_top + map_side - j * side;
+      draw_tile(svg, map_left + from * side, low, map_left + i * side, low - side,
+                nearest[static_cast<std::size_t>(from)]->color);
+    }
+  }
+  for (const Spot& spot : spots)
+    svg += text("<circle cx=\"", svg_number(map_left + map_side * spot.x), "\" cy=\"",
+                svg_number(map_top + map_side * (1.0 - spot.y)), "\" r=\"1.5\" fill=\"", svg_ink, "\"/>\n");
+}
+
 void draw_bar(std::string& svg, const HeatMap& map, double least, double largest) {
   const double x0 = map_left + map_side + bar_gap, x1 = x0 + bar_width, low = map_top + map_side;
   constexpr int steps = 60;
@@ -94,14 +124,20 @@ std::string draw_heat_map(const HeatMap& map) {
   const std::vector<double> columns = borders(xs, map.logarithmic_x), rows = borders(ys, map.logarithmic_y);
   const Scale x = Scale::between(columns.front(), columns.back(), map.logarithmic_x, map_left, map_left + map_side);
   const Scale y = Scale::between(rows.front(), rows.back(), map.logarithmic_y, map_top + map_side, map_top);
+  const bool is_grid = 2 * map.values.size() >= xs.size() * ys.size();
   std::string svg = svg_begin(map_left + map_side + bar_gap + bar_width + map_right, map_top + map_side + map_bottom);
+  std::vector<Spot> spots;
   for (const HeatValue& v : map.values) {
+    const std::string color = color_at(part_of(v.value, values.front(), values.back(), map.logarithmic_value));
+    if (!is_grid) {
+      spots.push_back({(x.place(v.x) - map_left) / map_side, 1.0 - (y.place(v.y) - map_top) / map_side, color});
+      continue;
+    }
     const auto i = static_cast<std::size_t>(std::ranges::lower_bound(xs, v.x) - xs.begin());
     const auto j = static_cast<std::size_t>(std::ranges::lower_bound(ys, v.y) - ys.begin());
-    const double part = part_of(v.value, values.front(), values.back(), map.logarithmic_value);
-    draw_tile(svg, x.place(columns[i]), y.place(rows[j]), x.place(columns[i + 1]), y.place(rows[j + 1]),
-              color_at(part));
+    draw_tile(svg, x.place(columns[i]), y.place(rows[j]), x.place(columns[i + 1]), y.place(rows[j + 1]), color);
   }
+  if (!is_grid) draw_nearest(svg, spots);
   draw_bar(svg, map, values.front(), values.back());
   draw_axes(svg, {map.title, map.x_name, map.y_name}, x, y);
   return svg + "</svg>\n";

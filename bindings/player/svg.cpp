@@ -25,6 +25,14 @@ double round_step(double span) {
   return 10.0 * decade;
 }
 
+constexpr double fine_decades = 2.0;  ///< below which powers of ten alone are too few ticks
+
+std::string label(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", value);
+  return digits;
+}
+
 }  // namespace
 
 std::string svg_number(double pixels) {
@@ -77,14 +85,25 @@ Scale Scale::between(double low, double high, bool logarithmic, double start, do
   return scale;
 }
 
+/// Powers of ten about both; twice and five times those, too, where they are near each other.
 void Scale::set_decades(double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(high))));
-  low_ = first;
-  high_ = last;
+  const bool fine = std::log10(high / low) < fine_decades;
   const int stride = (last - first + 7) / 8;
+  std::vector<Tick> ticks;
   for (int k = first; k <= last; k++)
-    ticks_.push_back({std::pow(10.0, k), (k - first) % stride == 0 ? power_of_ten(k) : ""});
+    for (const int times : {1, 2, 5}) {
+      if (times > 1 && (!fine || k == last)) break;
+      const double value = times * std::pow(10.0, k);
+      ticks.push_back({value, fine ? label(value) : (k - first) % stride == 0 ? power_of_ten(k) : ""});
+    }
+  std::size_t from = 0, to = ticks.size() - 1;
+  while (fine && from + 1 < to && ticks[from + 1].value <= low) from++;
+  while (fine && to - 1 > from && ticks[to - 1].value >= high) to--;
+  low_ = std::log10(ticks[from].value);
+  high_ = std::log10(ticks[to].value);
+  ticks_.assign(ticks.begin() + static_cast<std::ptrdiff_t>(from), ticks.begin() + static_cast<std::ptrdiff_t>(to) + 1);
 }
 
 void Scale::set_steps(double low, double high) {
@@ -97,11 +116,7 @@ void Scale::set_steps(double low, double high) {
   const double first = std::floor(low / step), last = std::ceil(high / step);
   low_ = first * step;
   high_ = last * step;
-  for (double k = first; k <= last; k += 1.0) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.6g", k == 0.0 ? 0.0 : k * step);
-    ticks_.push_back({k * step, digits});
-  }
+  for (double k = first; k <= last; k += 1.0) { ticks_.push_back({k * step, label(k == 0.0 ? 0.0 : k * step)}); }
 }
 
 double Scale::place(double value) const {

@@ -17,13 +17,16 @@ namespace {
 const char* const table =
     "case,size,rate,cost,name\n0,1,10,5,a\n1,2,10,7,a\n2,1,20,1,b\n3,2,20,x,b\n4,2,20,3,b\n5,2,20,5,b\n";
 
-/// The picture; `more` changes what is asked for.
-std::string picture(const Folder& folder, player::PlotOptions options) {
-  write_file(folder / "t.csv", table);
+std::string picture(const Folder& folder, player::PlotOptions options, const std::string& content = table) {
+  write_file(folder / "t.csv", content);
   options.table = folder / "t.csv";
   options.out = folder / "t.svg";
   CHECK(player::plot_table(options) == 0);
   return read_file(options.out);
+}
+
+double number_after(const std::string& text, const std::string& name, std::size_t from) {
+  return std::stod(text.substr(text.find(name, from) + name.size(), 20));
 }
 
 std::size_t count(const std::string& text, const std::string& pattern) {
@@ -51,9 +54,9 @@ TEST_CASE("plot_table: one line needs no legend") {
 TEST_CASE("plot_table: points alone, and axes that are logarithmic") {
   Folder folder;
   const std::string svg =
-      picture(folder, {.x = "size", .y = "cost", .log = {"cost"}, .title = "a < b", .points = true});
+      picture(folder, {.x = "a", .y = "b", .log = {"b"}, .title = "a < b", .points = true}, "a,b\n1,2\n2,3000\n");
   CHECK(count(svg, "<polyline") == 0);
-  CHECK_THAT(svg, Contains("10⁰") && Contains("a &lt; b"));
+  CHECK_THAT(svg, Contains("10⁰") && Contains("10⁴") && Contains("a &lt; b"));
 }
 
 TEST_CASE("plot_table: a heat map has a tile for each pair that is known") {
@@ -61,6 +64,24 @@ TEST_CASE("plot_table: a heat map has a tile for each pair that is known") {
   const std::string svg = picture(folder, {.x = "size", .y = "rate", .color = "cost"});
   CHECK(count(svg, "<rect") == 4 + 60);  // and the scale of colours
   CHECK_THAT(svg, Contains("#440154") && Contains("#fde725"));
+}
+
+TEST_CASE("plot_table: a heat map of a sample has the colour of the nearest case at each place") {
+  Folder folder;
+  const std::string svg =
+      picture(folder, {.x = "a", .y = "b", .color = "k"}, "a,b,k\n1,10,0\n2,20,1\n3,11,0.5\n4,19,1\n");
+  CHECK(count(svg, "<circle") == 4);
+  double covered = 0.0;  // pixels²
+  for (std::size_t at = 0; (at = svg.find("<rect", at)) != std::string::npos; at++)
+    covered += number_after(svg, "width=\"", at) * number_after(svg, "height=\"", at);
+  CHECK_THAT(covered, Catch::WithinRel(420.0 * 420.0 + 420.0 * 16.0, 1e-3));  // and the scale of colours
+}
+
+TEST_CASE("plot_table: a logarithmic axis of less than two decades has ticks between powers of ten, and ends there") {
+  Folder folder;
+  const std::string svg = picture(folder, {.x = "a", .y = "b", .log = {"a"}}, "a,b\n0.6,100\n1.5,200\n3,300\n");
+  for (const char* label : {">0.5<", ">1<", ">2<", ">5<"}) CHECK_THAT(svg, Contains(label));
+  for (const char* label : {">0.2<", ">10<"}) CHECK_THAT(svg, !Contains(label));
 }
 
 TEST_CASE("plot_table: what cannot be drawn is told, and leaves no file") {
