@@ -2,4 +2,7 @@
 uniform float level;
 uniform vec3 light;
 vec2 fall(vec3 place) { return place.xz - light.xz * ((place.y - level) / light.y); }
-vec4 drawn(vec2 at) { return vec4(2.0 * on_map(at) - 1.0, 0.0, 1.0); }
+vec4 drawn(vec2 at) {
+  vec3 p = deep_on_map(at);
+  return vec4(p.xy, 0.0, p.z);
+}

@@ -6,8 +6,6 @@ uniform vec2 slopes;    // of the picture's edges
 uniform mat4 turn;      // from the world's axes to the camera's
 uniform float near_by;  // how far things hide the sky
 uniform float ground;   // how much of it is there, 0 … 1
-uniform float cell;     // of the map of heights
-uniform float relief;   // below that the maps of shadows have it
 out vec4 result;        // what is left, and where
 
 const int spots = 9, rays = 6;
@@ -58,11 +56,14 @@ void main() {
   // The key light.
   vec3 normal = back * n;
   float key = max(dot(normal, light), 0.0), lit = 0.0;
-  place += (normal * 1.5 + light * 1.5) * cell;
-  float height = place.y - level;
-  if (height > relief && key > 0.0) {
+  float height = place.y - level, pixels = float(textureSize(heights, 0).x);
+  float cell = pixel_at(place.xz - light.xz * (height / light.y), pixels);
+  // Over what the surface rises within the spots.
+  place += light * (cell * (0.25 + 2.0 * length(normal.xz) / max(key, 0.1)));
+  height = place.y - level;
+  if (height > 4.0 * cell && key > 0.0) {  // below that the maps of shadows have it
     vec2 spot = on_map(place.xz - light.xz * (height / light.y));
-    float soft = 1.5 * cell / shadow_reach;
+    float soft = 3.0 / pixels;
     for (int i = 0; i < rays; i++) {
       float angle = 6.2831853 * (dither + 0.382 * float(i)), part = sqrt((float(i) + 0.5) / float(rays));
       lit += step(texture(heights, spot + soft * part * vec2(cos(angle), sin(angle))).r, height);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -28,7 +29,11 @@ class ShaderProgram {
   void set(const char* name, Vec3 v) const {
     glUniform3f(place(name), static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
   }
+  void set(const char* name, const Eigen::Matrix3f& m) const { glUniformMatrix3fv(place(name), 1, GL_FALSE, m.data()); }
   void set(const char* name, const Eigen::Matrix4f& m) const { glUniformMatrix4fv(place(name), 1, GL_FALSE, m.data()); }
+  void set(const char* name, const std::array<std::array<float, 2>, 4>& places) const {
+    glUniform2fv(place(name), 4, places[0].data());
+  }
 
  private:
   void link(const std::string& name, const std::string& head);

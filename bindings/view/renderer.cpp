@@ -51,8 +51,7 @@ struct Renderer::Parts {
   std::optional<Target> resolved;
   ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
-      floor{"floor", {"common.glsl", "picture.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
-      shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""};
+      floor{"floor", {"common.glsl", "picture.glsl"}, text("const float corners = ", ground_corners, ".0;\n")}, shade;
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, ellipsoids{{3, 3, 3, 3, 3, 3}, true},
       corners{{3, 3, 3}, false}, shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
       nothing{{1}, false};
@@ -81,6 +80,8 @@ struct Renderer::Parts {
         mesh("mesh", {"common.glsl"}, ""),
         glow("glow", {"common.glsl"}, light_definitions),
         streak("streak", {"common.glsl"}, light_definitions),
+        shade("shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"},
+              text("const bool smooth_edges = ", target->samples() > 0 ? "true" : "false", ";\n")),
         sheets(edge_definitions(target->samples())),
         shadows(target->samples() > 0),
         panel(scale) {
@@ -220,7 +221,9 @@ void Renderer::Parts::draw_backdrop(const Background& colors) {
 
 void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   shaded = wanted && draw_list.lower.x <= draw_list.upper.x;
-  if (shaded) shadows.draw_maps({balls, bars, ellipsoids, corners, shades, sheets}, draw_list, stage, camera);
+  if (shaded)
+    shaded = shadows.draw_maps({balls, bars, ellipsoids, corners, shades, sheets}, draw_list, stage, camera,
+                               static_cast<double>(width) / height);
 }
 
 void Renderer::Parts::resolve(GLbitfield what) {
@@ -294,6 +297,7 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   glDepthMask(GL_FALSE);
   if (shaded) {
     shadows.bind_maps(shade);
+    shade.set("corners", shadows.region().corners);
     shade.set("dark", colors.shade);
     nothing.draw(shade, GL_TRIANGLE_STRIP, 4);
   }

@@ -1,14 +1,17 @@
 #include "view/shadows.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pantin {
 
 namespace {
 
-constexpr int map_pixels = 384;      // of the finest map, see shadow_maps.glsl
-constexpr int height_pixels = 1024;  // of the map of heights
+constexpr int height_pixels = 1024;  // of the map of heights, a side
+
+/// Of the finest map, see shadow_maps.glsl.
+int map_pixels(bool shelters) { return shelters ? 512 : 352; }
+
+Vec3 vector(Float3 v) { return vec(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)); }
 
 }  // namespace
 
@@ -23,24 +26,20 @@ Shadows::Programs::Programs()
       sheltered("sheltered", {}, "") {}
 
 Shadows::Shadows(bool shelters)
-    : map_(map_pixels * 3 / 2, map_pixels, 0, Target::Format::shade),
+    : map_(map_pixels(shelters) * 3 / 2, map_pixels(shelters), 0, Target::Format::shade),
       ball_("shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""),
       bar_("shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""),
       mesh_("shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, "") {
   if (shelters) shelter_.emplace();
 }
 
-void Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const Stage& stage, const Camera& camera) {
+bool Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const Stage& stage, const Camera& camera,
+                        double aspect) {
   level_ = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
   const Vec3 light = key_light();
-  const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
-  const float h0 = std::max(draw_list.lower.y - level_, 0.0f), h1 = std::max(draw_list.upper.y - level_, 0.0f);
-  const float x0 = draw_list.lower.x - std::max(lx * h0, lx * h1), x1 = draw_list.upper.x - std::min(lx * h0, lx * h1);
-  const float z0 = draw_list.lower.z - std::max(lz * h0, lz * h1), z1 = draw_list.upper.z - std::min(lz * h0, lz * h1);
-  x_ = 0.5f * (x0 + x1);
-  z_ = 0.5f * (z0 + z1);
-  reach_ = 0.575f * std::max(x1 - x0, z1 - z0) + 0.10f * h1;  // with all that is soft
-  high_ = h1;
+  region_ = find_shadow_region(vector(draw_list.lower), vector(draw_list.upper), level_,
+                               {light[0] / light[1], light[2] / light[1]}, camera, aspect);
+  if (region_.empty) return false;
   map_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -51,8 +50,9 @@ void Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const
   for (const ShaderProgram* program : {&ball_, &bar_, &mesh_}) {
     bind_maps(*program);
     program->set("size", static_cast<float>(stage.size / camera.distance));
-    program->set("texel", 2.0f * reach_ / map_pixels);
+    program->set("pixels", static_cast<float>(map_.height()));
   }
+  for (GLenum side = 0; side < 4; side++) glEnable(GL_CLIP_DISTANCE0 + side);
   mesh_.use();
   mesh_.set("solid", 1.0f);
   casters.corners.draw(mesh_, GL_TRIANGLES);
@@ -61,15 +61,17 @@ void Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const
   casters.shades.draw(mesh_, GL_TRIANGLES);
   casters.balls.draw(ball_, GL_TRIANGLES, 3);
   casters.bars.draw(bar_, GL_TRIANGLE_STRIP, 4);
+  for (GLenum side = 0; side < 4; side++) glDisable(GL_CLIP_DISTANCE0 + side);
   if (shelter_) draw_heights(casters);
   glBlendEquation(GL_FUNC_ADD);
+  return true;
 }
 
 void Shadows::bind_maps(const ShaderProgram& program) const {
   program.use();
   program.set("shadow", 0);
-  program.set("shadow_middle", x_, z_);
-  program.set("shadow_reach", reach_);
+  program.set("to_map", region_.to_map);
+  program.set("widths", 2.0f * region_.along, 2.0f * region_.across);
   program.set("level", level_);
   program.set("light", key_light());
   map_.bind_texture(0);
@@ -100,7 +102,7 @@ void Shadows::darken(const Target& picture, const Target& depths, const Stage& s
   }
   const double aspect = static_cast<double>(picture.width()) / picture.height(), slope = std::tan(0.5 * camera.fov);
   const Eigen::Matrix4f projection = camera.projection(aspect);
-  const float near_by = static_cast<float>(0.5 * stage.unit / camera.distance), cell = 2.0f * reach_ / height_pixels;
+  const float near_by = static_cast<float>(0.5 * stage.unit / camera.distance);
   for (const int what : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE}) glDisable(static_cast<GLenum>(what));
   s.found->bind();
   bind_maps(s.shelter);
@@ -111,8 +113,6 @@ void Shadows::darken(const Target& picture, const Target& depths, const Stage& s
   s.shelter.set("turn", camera.view());
   s.shelter.set("near_by", near_by);
   s.shelter.set("ground", ground);
-  s.shelter.set("cell", cell);
-  s.shelter.set("relief", 4.0f * cell);
   depths.bind_depths(0);
   s.heights.bind_texture(1);
   s.nothing.draw(s.shelter, GL_TRIANGLE_STRIP, 4);

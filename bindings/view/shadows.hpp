@@ -4,6 +4,7 @@
 #include "view/camera.hpp"
 #include "view/draw_list.hpp"
 #include "view/gl.hpp"
+#include "view/shadow_region.hpp"
 #include "view/sheets.hpp"
 #include "view/stage.hpp"
 
@@ -20,10 +21,12 @@ class Shadows {
  public:
   explicit Shadows(bool shelters);
 
-  /// Draws the scene from the light onto maps of the ground, soft where it is high above it.
-  void draw_maps(const Casters& casters, const DrawList& draw_list, const Stage& stage, const Camera& camera);
+  /// Draws the scene from the light onto maps of the ground, soft where it is high above it. False if no shadow is seen.
+  bool draw_maps(const Casters& casters, const DrawList& draw_list, const Stage& stage, const Camera& camera,
+                 double aspect);
   /// For a program that shows them.
   void bind_maps(const ShaderProgram& program) const;
+  const ShadowRegion& region() const { return region_; }
   bool shelters() const { return shelter_.has_value(); }
   /// Darkens what was drawn into `picture`, as far as `depths` has it; `ground` is how much of it is there, 0 … 1.
   void darken(const Target& picture, const Target& depths, const Stage& stage, const Camera& camera, float ground);
@@ -42,7 +45,8 @@ class Shadows {
   };
   std::optional<Programs> shelter_;
   // Of the last ones: in units of the camera's distance, relative to the eye.
-  float x_ = 0.0f, z_ = 0.0f, reach_ = 1.0f, level_ = 0.0f, high_ = 0.0f;
+  ShadowRegion region_;
+  float level_ = 0.0f;
 };
 
 }  // namespace pantin

@@ -72,3 +72,20 @@ TEST_CASE("in pictures things hide the sky from what is near them", "[window]") 
   CHECK(picture.darker(vec(-0.3, 2, 0.45)) > 6);  // at its foot, on the side of the light
   CHECK(picture.darker(vec(-0.3, 2, 0.45)) > picture.darker(vec(-0.5, 2, 1.2)) + 5);
 }
+
+TEST_CASE("in pictures a thin rod throws its shadow, however wide the box is that it is close above", "[window]") {
+  const Window window("test", 320, 180, true);
+  World world;
+  add_shape(world, small_worlds::shape(BoxShape{vec(500, 1, 500)}, vec(0, -1, 0)));
+  const double radius = 0.02, height = 0.1;
+  add_shape(world, small_worlds::shape(CapsuleShape{radius, 0.5}, vec(0, height, 0)));
+  Camera camera;
+  camera.look(vec(0.1, 0.9, -0.2), vec(0, 0, 0));
+  const LitAndShaded picture(world, camera, 4);
+  const Vec3 light = key_light(), fallen = vec(-light[0], 0, -light[2]) * (height / light[1]);
+  for (const double along : {-0.15, 0.0, 0.15}) {
+    CAPTURE(along);
+    CHECK(picture.darker(fallen + vec(0, 0, along)) > 8);
+    CHECK(std::abs(picture.darker(fallen + vec(0.1, 0, along))) < 8);
+  }
+}
