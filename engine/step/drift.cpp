@@ -233,18 +233,21 @@ void project(Articulate& articulate, const DriftSettings& settings) {
 /// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
 template <class Move>
 void drift_articulates(World& world, Move move) {
-  share_articulates(world, [&](Articulate& articulate, int worker) {
-    if (articulate.rest.asleep) return;
-    if (world.stage.from == 0.0) {
-      articulate.by_tree = articulate.by_tree && is_as_left(world, articulate);
-      if (!articulate.by_tree)
-        load(articulate, world, world.settings.gravity);
-      else
-        load_conditions(articulate, world);
-    }
-    begin_report(articulate);
-    move(articulate, worker);
-  });
+  share_articulates(
+      world,
+      [&](Articulate& articulate, int worker) {
+        if (articulate.rest.asleep) return;
+        if (world.stage.from == 0.0) {
+          articulate.by_tree = articulate.by_tree && is_as_left(world, articulate);
+          if (!articulate.by_tree)
+            load(articulate, world, world.settings.gravity);
+          else
+            load_conditions(articulate, world);
+        }
+        begin_report(articulate);
+        move(articulate, worker);
+      },
+      true);
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
     if (world.stage.to == 1.0) {
@@ -319,9 +322,12 @@ void project_articulates(World& world) {
   const LedgerMark before = ledger_mark(world, true);
   double returned = 0.0;
   if (!ends_in_drift(world))
-    share_articulates(world, [&](Articulate& articulate, int) {
-      if (!articulate.rest.asleep) project(articulate, settings);
-    });
+    share_articulates(
+        world,
+        [&](Articulate& articulate, int) {
+          if (!articulate.rest.asleep) project(articulate, settings);
+        },
+        true);
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
     world.stats.projections += articulate->projection_report.exact_projections;

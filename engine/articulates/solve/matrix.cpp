@@ -1,5 +1,6 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
 #include "articulates/solve/matrix.hpp"
+#include "articulates/fetch.hpp"
 
 #include <algorithm>
 
@@ -200,6 +201,7 @@ bool factorise(Articulate& a, const System& system) {
   const std::uint32_t* to = a.factor.target.data();
   for (const Tile& tile : a.tiles) {
     for (; done.batches < tile.batches; done.batches++) {
+      Fetch::some();
       NodeBatch& n = a.batches[done.batches];
       if (system.right == Arms::mean) {
         a.plane.flat() ? invert_flat_jacobian(n, moments(a, n), system.h, a.plane.normal)
@@ -236,7 +238,10 @@ void reuse_factor(Articulate& a, const System& system) {
   Tile done;
   clear_hubs(a);
   for (const Tile& tile : a.tiles) {
-    for (; done.batches < tile.batches; done.batches++) move_ends(a, a.batches[done.batches]);
+    for (; done.batches < tile.batches; done.batches++) {
+      Fetch::some();
+      move_ends(a, a.batches[done.batches]);
+    }
     for (; done.rows < tile.rows; done.rows++) set_right_side(a, done.rows, system);
     for (; done.columns < tile.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }

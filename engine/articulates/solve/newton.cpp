@@ -1,6 +1,7 @@
 // Newton's iteration on rotations and row forces together, with line backtracking, on a factor that is
 // kept while it serves, with a compliance that adapts. Sizes of residuals are lengths in metres.
 #include "articulates/solve/newton.hpp"
+#include "articulates/fetch.hpp"
 #include "articulates/solve/prediction.hpp"
 
 #include <algorithm>
@@ -93,6 +94,7 @@ double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
   for (const Tile& tile : a.tiles) {
     for (; done.forces < tile.forces; done.forces++) set_row(done.forces);
     for (; done.batches < tile.batches; done.batches++) {
+      Fetch::some();
       set_batch(done.batches);
       evaluation.batch(done.batches);
     }

@@ -1,4 +1,5 @@
 #include "articulates/solve/project.hpp"
+#include "articulates/fetch.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -72,6 +73,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
   clear_hubs(a);
   for (const Tile& tile : a.tiles) {
     for (; done.batches < tile.batches; done.batches++) {
+      Fetch::some();
       if (from == From::nodes) read_momenta(a, done.batches);
       const NodeBatch& n = a.batches[done.batches];
       const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.inverse_inertia_world * n.L;
