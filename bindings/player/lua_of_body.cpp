@@ -44,11 +44,11 @@ std::optional<std::string> lua_of_value(const fields::Value& value) {
 constexpr double round_off = 1e-15;  // relative, of what adding points does to centre and axes
 
 /// Where the frame's origin was given, so that the centre comes to lie where it is.
-Vec3 given_origin(const World& world, BodyId id, const Quat& frame) {
-  const Vec3 arm = rotate(frame, world.bodies[id].centre), x = world.motion_of(id).x;
-  const double size = std::fmax(largest(x), largest(arm));
-  const Vec3 plain = shortened(x - arm, size);
-  return norm(plain + arm - x) <= round_off * size ? plain : x - arm;
+Vec3 given_origin(Vec3 centre, Vec3 arm) {
+  const double size = std::fmax(largest(centre), largest(arm));
+  const Vec3 full = centre - arm, plain = shortened(full, size);
+  if (same(plain + arm, centre)) return plain;
+  return same(full + arm, centre) || norm(plain + arm - centre) > round_off * size ? full : plain;
 }
 
 /// The body's frame as it was given; nothing: as the world's.
@@ -245,7 +245,9 @@ LuaOfBody lua_of_body(const World& world, BodyId id) {
   const std::optional<Quat> frame = given_frame(world, id);
   if (frame) lua.options.push_back("orientation = " + lua_of_turn(*frame));
   add_motion(world, id, lua.options);
-  lua.at = given_origin(world, id, frame.value_or(Quat{}));
+  lua.arm = rotate(frame.value_or(Quat{}), body.centre);
+  lua.centre = world.motion_of(id).x;
+  lua.at = given_origin(lua.centre, lua.arm);
   return lua;
 }
 
@@ -258,7 +260,7 @@ LuaOfBody lua_of_particle(const World& world, PointId id) {
   lua.options = {"mass = " + lua_of(point.mass), "radius = " + lua_of(point.radius)};
   if (norm2(m.v) > 0.0) lua.options.push_back("velocity = " + lua_of(m.v));
   lua.color = fields::text_of(point.color);
-  lua.at = m.x;
+  lua.at = lua.centre = m.x;
   return lua;
 }
 

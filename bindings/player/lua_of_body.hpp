@@ -19,6 +19,8 @@ struct LuaOfBody {
   std::string word;                  ///< "box": begins the name of a variable for it
   std::vector<std::string> options;  ///< "size = 1", without those below
   Vec3 at = zero3();                 ///< [m]
+  Vec3 arm = zero3();                ///< [m] from there to its centre
+  Vec3 centre = zero3();             ///< [m] `at` + `arm`, to the bit where that can be
   std::string color;                 ///< "#rrggbb"
   std::string why_not;               ///< the call is empty: why
 

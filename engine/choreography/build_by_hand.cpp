@@ -195,48 +195,64 @@ double way_out(World& world, BodyId body, Vec3 from, Vec3 to) {
   return way;
 }
 
-/// (links + 1) Their ends on a straight line: alike, but that the first and the last lead out of the bodies where they begin.
-std::vector<Vec3> ends_of_links(Vec3 from, Vec3 to, double radius, double out_of_first, double out_of_last) {
+/// A chain on a straight line from `from` to `to`: `count` links of one length from `start` on, each `way` after the one
+/// before; and where it begins or ends in a body, a first or a last one that leads out of it.
+struct ChainPlan {
+  Vec3 from = zero3(), start = zero3(), way = zero3(), to = zero3();
+  int count = 1;
+  bool leads_out = false, leads_in = false;
+  /// Where the k-th of the alike ones begins: sums of short numbers, as a loop would have them.
+  Vec3 at(int k) const { return start + way * static_cast<double>(k); }
+};
+
+ChainPlan plan_chain(Vec3 from, Vec3 to, double radius, double out_of_first, double out_of_last) {
   constexpr double slender = 8.0;  // a link's length by its radius
   constexpr double most_links = 40.0;
+  ChainPlan plan{from, from, zero3(), to};
   const double length = norm(to - from);
   const double first = out_of_first > 0.0 ? out_of_first + 2.0 * radius : 0.0;
   const double last = out_of_last > 0.0 ? out_of_last + 2.0 * radius : 0.0;
   const double rest = length - first - last;
   require(rest > 2.0 * radius, "chain: there is no room for one between them");
   const double count = std::clamp(std::round(rest / (slender * radius)), 1.0, most_links);
-  const auto at = [&](double way) {
-    const Vec3 place = from + (to - from) * (way / length);
-    return shortened(place, largest(place));
+  plan.count = static_cast<int>(count);
+  plan.leads_out = first > 0.0;
+  plan.leads_in = last > 0.0;
+  const double link = rest / count;
+  const auto brief = [&](Vec3 v) {  // in parts of a link that are not seen
+    for (int k = 0; k < 3; k++) v[k] = shortened(static_cast<double>(v[k]), 1e6 * link);
+    return v;
   };
-  std::vector<Vec3> ends = {at(0.0)};
-  if (first > 0.0) ends.push_back(at(first));
-  for (double k = 1.0; k < count; k++) ends.push_back(at(first + rest * (k / count)));
-  if (last > 0.0) ends.push_back(at(length - last));
-  ends.push_back(to);
-  return ends;
+  plan.way = brief((to - from) * (link / length));
+  if (plan.leads_out) plan.start = brief(from + (to - from) * (first / length));
+  return plan;
 }
 
 /// Rods in a row that touch things, each hinged to the next; from a point to another, or to a place where its end is nailed.
 void tie_by_chain(World& world, PointId a, PointId b, const Command& c) {
   require_positive("chain", "radius", c.radius, "m");
   const Vec3 from = position(world, a), to = b ? position(world, b) : c.points[0];
-  const std::vector<Vec3> ends = ends_of_links(from, to, c.radius, way_out(world, world.points[a].body, from, to),
-                                               b ? way_out(world, world.points[b].body, to, from) : 0.0);
+  const ChainPlan plan = plan_chain(from, to, c.radius, way_out(world, world.points[a].body, from, to),
+                                    b ? way_out(world, world.points[b].body, to, from) : 0.0);
   std::vector<BodyId> links;
+  const auto add_link = [&](Vec3 at, Vec3 way) {
+    Command link;
+    link.form = MadeForm::rod;
+    link.radius = c.radius;
+    BodyDef def;
+    def.at = at;
+    add_shape(world, def, link, std::array{zero3(), way});
+    def.shapes[0].color = def.color = of_bytes(196, 164, 110);
+    links.push_back(add_body(world, def));
+  };
+  const auto brief_way = [&](Vec3 at, Vec3 end) { return shortened(end - at, std::fmax(largest(at), largest(end))); };
   try {
-    for (std::size_t i = 0; i + 1 < ends.size(); i++) {
-      Command link;
-      link.form = MadeForm::rod;
-      link.radius = c.radius;
-      link.position = ends[i];
-      BodyDef def;
-      def.at = ends[i];
-      const std::array points = {zero3(), shortened(ends[i + 1] - ends[i], std::fmax(largest(ends[i]), largest(to)))};
-      add_shape(world, def, link, points);
-      def.shapes[0].color = def.color = of_bytes(196, 164, 110);
-      links.push_back(add_body(world, def));
-    }
+    if (plan.leads_out) add_link(from, brief_way(from, plan.start));
+    const int alike = plan.leads_in ? plan.count : plan.count - 1;
+    for (int k = 0; k < alike; k++) add_link(plan.at(k), plan.way);
+    const Vec3 rest = brief_way(plan.at(alike), to);
+    // What was rounded off is in the last, which is like the others where that is nothing.
+    add_link(plan.at(alike), norm(rest - plan.way) < 1e-9 * norm(plan.way) ? plan.way : rest);
     const auto end_of_link = [&](std::size_t i, std::size_t end) { return world.bodies[links[i]].points[end]; };
     for (std::size_t i = 0; i + 1 < links.size(); i++)
       add_hinge(world, std::array{end_of_link(i, 1), end_of_link(i + 1, 0)});

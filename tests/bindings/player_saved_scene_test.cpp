@@ -206,6 +206,69 @@ TEST_CASE("saved scene: alike things at equal distances are a loop") {
   CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
 }
 
+TEST_CASE("saved scene: places in a row that are short decimals, whose sums are not to the bit, are a loop") {
+  Built built(empty);
+  for (int i = 0; i < 30; i++) built.make(MadeForm::box, vec((i - 3) / 10.0, 0.7, 0), vec(0.04, 0.04, 0.04));
+  const player::SavedScene saved = built.save();
+  CHECK_THAT(built.added(saved), Contains("for i = 0, 29 do\n") && Contains("at = vec((-3 + i) / 10, 0.7, 0)"));
+  CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
+}
+
+TEST_CASE("saved scene: chains are loops, of their links and of their hinges") {
+  Built built(GENERATE(floor_in_plane, floor_in_space));
+  Command tie;
+  tie.kind = Kind::tie;
+  tie.name = "chain";
+  tie.radius = 0.05;
+  tie.thing = built.make(MadeForm::box, vec(-2, 4, 0));
+  tie.position = vec(-2, 4, 0);
+  tie.other_thing = built.make(MadeForm::ball, vec(3, 3.3, 0));
+  tie.points = {vec(3, 3.3, 0)};
+  built.send(tie);
+  const std::size_t links = built.world().bodies.size() - 2;
+  tie.thing = built.make(MadeForm::ball, vec(5, 2, 0));
+  tie.position = vec(5, 2.3, 0);
+  tie.other_thing = AnyId{};
+  tie.points = {vec(5, 6.3, 0)};
+  built.send(tie);
+  const player::SavedScene saved = built.save();
+  CHECK(saved.left_out == std::vector<std::string>());
+  const std::string added = built.added(saved);
+  CHECK_THAT(added, Contains(text("for i = 0, ", links - 3, " do\n    rods1[i + 1] = scene:capsule { radius = 0.05")));
+  CHECK_THAT(added, Contains("at = vec(5, 2.3 + 0.4 * i, 0)"));
+  CHECK_THAT(added, Contains(text("for i = 1, ", links - 3,
+                                  " do\n    scene:hinge(rods1[i].points[2], rods1[i + 1].points[1])\n  end\n")));
+  CHECK(std::ranges::count(added, '\n') < 35);
+  const auto again = Built::open(saved);
+  REQUIRE(state_hash(again->world()) == state_hash(built.world()));
+  for (int i = 0; i < 60; i++) {
+    built.scene->step();
+    again->step();
+  }
+  CHECK(state_hash(again->world()) == state_hash(built.world()));
+}
+
+TEST_CASE("saved scene: alike ties of a row are a loop, and what names have in brackets is none") {
+  Built built(empty +
+              "for i = 1, 4 do scene:nail(scene:particle { at = vec(i, 9, 0) }, { name = 'a[' .. i .. ']' }) end\n");
+  for (int i = 0; i < 5; i++) built.make(MadeForm::ball, vec(-3 + i, 3, 0));
+  for (const BodyId body : built.world().bodies.ids()) {
+    Command nail;
+    nail.kind = Kind::nail;
+    nail.thing = body;
+    nail.position = built.world().motion_of(body).x;
+    nail.points = {zero3()};
+    built.send(nail);
+  }
+  for (const ConstraintId id : built.world().constraints.ids())
+    if (!built.world().constraints[id].name.empty()) remove(built.world(), id);
+  const player::SavedScene saved = built.save();
+  INFO(built.added(saved));
+  CHECK_THAT(built.added(saved), Contains("balls1[i + 1] = scene:ball") && Contains("scene:nail(balls1[i]") &&
+                                     Contains("scene:find \"a[3]\":remove()"));
+  CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
+}
+
 TEST_CASE("saved scene: what the script made is found again, moved and removed") {
   Built built(empty + R"(
     local arm = scene:body { at = vec(0, 3, 0), mass = 1, inertia = vec(0.1, 0.1, 0.1), points = { tip = vec(1, 0, 0), vec(0, 0, 0) } }
