@@ -139,13 +139,14 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
 /// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too, where it would meet
 /// b itself.
 void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifold) {
-  const double radius = inner_radius(pair.a);
+  const auto [centre, radius] = inner_ball(pair.a);
   if (manifold.count == 0 || pair.ahead.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
   if (!(radius > 0.0)) return;
   const Geometry ball = BallShape{radius};
   Manifold of_ball;
   SeparationCache cache;
-  const Pair inner{ball, pair.at_a, pair.b, pair.at_b, pair.ahead, std::fmin(2.0 * radius, thickness_of(pair.b))};
+  const Pose at = {pair.at_a.to_world(centre), pair.at_a.R};
+  const Pair inner{ball, at, pair.b, pair.at_b, pair.ahead, std::fmin(2.0 * radius, thickness_of(pair.b))};
   set_points(inner, inner.at_a, cache, of_ball);
   if (of_ball.count > 0) foresee(inner, {sink.motion_even_if_held().displacement, zero3()}, of_ball);
   if (of_ball.count == 0) return;
@@ -155,12 +156,10 @@ void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifo
 
 }  // namespace
 
-double inner_radius(const Geometry& shape) {
+InnerBall inner_ball(const Geometry& shape) {
   const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
-  if (hull == nullptr) return 0.5 * thickness_of(shape);
-  double radius = infinity;
-  for (const Hull::Face& face : (*hull)->faces) radius = std::fmin(radius, face.offset);
-  return std::fmax(0.0, radius);
+  if (hull == nullptr) return {zero3(), 0.5 * thickness_of(shape)};
+  return {(*hull)->inner_centre, (*hull)->inner_radius};
 }
 
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,

@@ -47,8 +47,12 @@ struct ManifoldSink {
  protected:
   ~ManifoldSink() = default;
 };
-/// Of the ball about the origin that is within a convex shape [m]; 0 where the origin is outside.
-double inner_radius(const Geometry& convex);
+/// A ball within a convex shape, about as large as there can be; in its axes, [m].
+struct InnerBall {
+  Vec3 centre = zero3();
+  double radius = 0.0;
+};
+InnerBall inner_ball(const Geometry& convex);
 /// Tells the points. a is convex; b may be any shape: of meshes and height fields there may be
 /// more than one manifold. Of convex shapes that a would meet within the step, those of where they meet; none where it
 /// would pass over b, though one of its sides is ahead.

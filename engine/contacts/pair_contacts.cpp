@@ -53,7 +53,7 @@ class Collector final : public ManifoldSink {
       c.normal = p.normal;
       c.gap = p.gap;
       const Vec3 x_a = a_.now.pose.x;
-      if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
+      if (p.id == inner_ball_id) c.round_a = {inner_ball(a_.geometry).radius, zero3()};
       c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
       if (m.meeting && p.id != inner_ball_id) foresee(c, p, *m.meeting, in_point);
     }

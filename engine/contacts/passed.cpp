@@ -57,7 +57,7 @@ std::vector<std::uint32_t> far_gone(const ThingsNow& p, const ContactFinder& fin
     const Motion& m = p.model.motion[shape.body.slot - 1];
     if (m.articulate >= 0 || shape.sensor) continue;
     const double way = norm(way_in_drift(p, m));
-    if (way > 0.5 * finder.shapes_now[slot].thickness || way > inner_radius(shape.geometry)) far.push_back(slot);
+    if (way > 0.5 * finder.shapes_now[slot].thickness || way > inner_ball(shape.geometry).radius) far.push_back(slot);
   }
   return far;
 }
@@ -68,11 +68,11 @@ void add_crossing(const ThingsNow& p, const ContactFinder& finder, std::uint32_t
   const Shape &shape = p.model.shapes.at_slot(a), &other = p.model.shapes.at_slot(b);
   if (a == b || other.sensor || !may_touch(finder, shape, other, p.model.layers.rule(shape.layer, other.layer))) return;
   const DriftOf of_a = drift_of(p, finder, a), of_b = drift_of(p, finder, b);
-  const double radius = inner_radius(shape.geometry);
+  const auto [centre, radius] = inner_ball(shape.geometry);
   const Vec3 way = of_a.way - of_b.way;
   if (!(norm(way) > radius)) return;
   const Geometry inner = BallShape{(1.0 - grazing) * std::fmin(radius, 0.5 * finder.shapes_now[b].thickness)};
-  const auto met = cast(inner, of_a.start, way, other.geometry, of_b.start);
+  const auto met = cast(inner, {of_a.start.to_world(centre), of_a.start.R}, way, other.geometry, of_b.start);
   if (!met || met->part == 0.0) return;
   const auto touched = cast(shape.geometry, of_a.start, way, other.geometry, of_b.start);
   crossings.push_back({touched ? touched->part : met->part, a, b});
@@ -89,7 +89,7 @@ std::map<std::int32_t, double> choose(const ThingsNow& p, const ContactFinder& f
     if (waits(a)) continue;
     if (!waits(b)) {
       parts[a.body] = c.part;
-      if (b.loose && norm(b.way) > inner_radius(p.model.shapes.at_slot(c.b).geometry)) parts[b.body] = c.part;
+      if (b.loose && norm(b.way) > inner_ball(p.model.shapes.at_slot(c.b).geometry).radius) parts[b.body] = c.part;
       continue;
     }
     const Pose there = {b.start.x + b.way * parts[b.body], b.start.R};
@@ -111,7 +111,8 @@ double put_back_passed(const ThingsNow& p, ContactFinder& finder, Model& model, 
   for (const std::uint32_t a : far) {
     const DriftOf of_a = drift_of(p, finder, a);
     const auto try_with = [&](std::uint32_t b) { add_crossing(p, finder, a, b, crossings); };
-    const Bounds inner = bounds_of(BallShape{inner_radius(model.shapes.at_slot(a).geometry)}, of_a.start);
+    const auto [centre, radius] = inner_ball(model.shapes.at_slot(a).geometry);
+    const Bounds inner = bounds_of(BallShape{radius}, {of_a.start.to_world(centre), of_a.start.R});
     finder.broad_phase.along(inner, of_a.way, try_with);
     for (const std::uint32_t field : finder.height_fields) try_with(field);
   }

@@ -142,6 +142,34 @@ void set_extents(Hull& hull) {
   }
 }
 
+double room_at(const Hull& hull, Vec3 x, Vec3& nearest) {
+  double room = infinity;
+  for (const Hull::Face& face : hull.faces) {
+    const double here = face.offset - dot(face.normal, x);
+    if (here >= room) continue;
+    room = here;
+    nearest = face.normal;
+  }
+  return room;
+}
+
+/// From the mean of the corners away from whichever face is nearest, by ever less.
+void set_inner_ball(Hull& hull) {
+  constexpr int steps = 64;
+  Vec3 x = zero3(), nearest = zero3();
+  for (const Vec3 v : hull.vertices) x += v;
+  x *= 1.0 / static_cast<double>(hull.vertices.size());
+  hull.inner_radius = 0.0;
+  for (int k = 0; k < steps; k++) {
+    const double room = room_at(hull, x, nearest);
+    if (room > hull.inner_radius || k == 0) {
+      hull.inner_radius = std::max(0.0, room);
+      hull.inner_centre = x;
+    }
+    x -= nearest * (0.5 * hull.thickness / (k + 2.0));
+  }
+}
+
 double volume_of(const Hull& hull) {
   double sum = 0.0;
   for (const Hull::Face& face : hull.faces) {
@@ -209,6 +237,7 @@ std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points) {
   require(closed && volume_of(*hull) >= 1e-12 * extent * extent * extent, flat, extent, " m, or more.");
   set_packs(*hull);
   set_extents(*hull);
+  set_inner_ball(*hull);
   return hull;
 }
 
@@ -223,6 +252,7 @@ std::shared_ptr<const Hull> moved(const Hull& hull, Vec3 by) {
   copy->reach = 0.0;
   set_packs(*copy);
   set_extents(*copy);
+  copy->inner_centre += by;
   return copy;
 }
 
@@ -234,7 +264,7 @@ void set_triangle(Hull& hull, const std::array<Vec3, 3>& corner, Vec3 normal) {
   hull.edges.assign({{0, 1}, {1, 2}, {0, 2}});
   hull.edge_faces.assign(3, {0, 1});
   hull.reach = std::max({norm(corner[0]), norm(corner[1]), norm(corner[2])});
-  hull.thickness = 0.0;
+  hull.thickness = hull.inner_radius = 0.0;
   set_packs(hull);
 }
 

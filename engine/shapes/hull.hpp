@@ -20,6 +20,8 @@ struct Hull {
   std::vector<std::array<std::uint32_t, 2>> edges;       ///< vertices, each edge once
   std::vector<std::array<std::uint32_t, 2>> edge_faces;  ///< (edges) the two faces that meet there
   double reach = 0.0, thickness = 0.0;                   ///< [m] thickness: the least width across a face
+  Vec3 inner_centre = zero3();                           ///< [m] of a ball inside, nearly the largest,
+  double inner_radius = 0.0;                             ///< [m] and its radius
   std::vector<Vec3> packs;  ///< [m] (3 per four vertices, the last repeated) their x, their y, their z
 };
 

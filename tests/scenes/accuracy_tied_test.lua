@@ -153,3 +153,16 @@ test("a target that begins to move at once within a step is followed as well as 
     end
   end
 end)
+
+test("a mechanism that is held at rest has no energy error, at height 0 and without gravity, too", function()
+  for _, gravity in ipairs { "vec(0, -9.81, 0)", "vec(0, 0, 0)" } do
+    for _, ties in ipairs { "scene:orient(a)", "local z = vec(0, 0, 1) scene:motor(a, { axis = z, angle = 0 }) scene:align(a, z, z, { angle = 0 })" } do
+      local scene = open_text(("scene.gravity = %s\n"):format(gravity) .. [[
+        local a = scene:body { mass = 2, inertia = vec(1, 1, 1), at = vec(0.5, 0, 0), points = { o = vec(-0.5, 0, 0) } }
+        scene:nail(a.o)
+      ]] .. ties)
+      scene:advance(1)
+      expect(scene.error.worst_energy):below(1e-6)
+    end
+  end
+end)

@@ -87,3 +87,25 @@ test("what cannot be is told with its line", function()
     expect(function() open_text("local x\n" .. code) end):fails(message)
   end
 end)
+
+test("a hull thrown onto a floor without friction goes on as fast, wherever the origin of its points is", function()
+  for _, origin in ipairs { "0.13, 0.07, 0", "0.13, 0, 0", "0, 0, -0.1", "0.5, -2, 1" } do
+    for _, rate in ipairs { 60, 240 } do
+      local scene = open_text(("local origin = vec(%s)\nscene.step = 1 / %d"):format(origin, rate) .. [[
+
+        scene:floor { friction = 0 }
+        local points = {}
+        for _, x in ipairs { 0, 1 } do
+          for _, z in ipairs { -0.1, 0.1 } do table.insert(points, vec(0.4 * x, 0, z) - origin) end
+          table.insert(points, vec(0, 0.2, 0.2 * x - 0.1) - origin)
+        end
+        local hull = scene:body { mass = 1, at = vec(0, 1, 0) + origin, velocity = vec(1, 0, 0), spin = vec(1, 2, -1),
+          shape = shape.hull(points, { friction = 0 }) }
+        local from = hull.position.x
+        scene:probe("gone", function() return hull.position.x - from end)
+      ]])
+      scene:advance(3)
+      expect(scene:read("gone")):near(3, 1e-9)
+    end
+  end
+end)
