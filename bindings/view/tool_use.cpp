@@ -30,6 +30,10 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+std::string nothing_heated(const ToolChoice& choice) {
+  return text("nothing was ", choice.variant == 1 ? "cooled" : "heated", ": ", choice.tool().help);
+}
+
 const char* kind_of(const World& world, const AnyId& thing, bool many) {
   if (std::holds_alternative<ParticleId>(thing)) return many ? "hinges" : "hinge";
   if (std::holds_alternative<ConnectionId>(thing)) return many ? "connections" : "connection";
@@ -148,7 +152,7 @@ void ToolUse::hold(const Viewport& viewport, double time, ToolOutput& output) {
                cold = 0.05 * viewport.stage.unit / step_times(viewport.world, 240.0);
   const double part = std::min(0.5, heat_rate * time);
   c.energy = choice_.variant == 1 ? -part * there : part * std::max(there, mass(viewport.world, things) * cold * cold);
-  if (c.energy != 0.0) send(c, output);
+  if (c.energy != 0.0 && takes_heat(viewport.world, things, c.energy)) send(c, output);
 }
 
 void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
@@ -161,6 +165,9 @@ void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
       break;
     case ToolKind::cut:
       if (done_.empty()) output.said.push_back(std::string("nothing was cut: ") + choice_.tool().help);
+      break;
+    case ToolKind::heat:
+      if (!acted_) output.said.push_back(nothing_heated(choice_));
       break;
     case ToolKind::join:
       if (alive) join(viewport, output);

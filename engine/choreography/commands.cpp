@@ -8,11 +8,13 @@
 #include "choreography/build_by_hand.hpp"
 #include "choreography/copy_by_hand.hpp"
 #include "choreography/hands.hpp"
+#include "contacts/find.hpp"
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
 #include "measure/freedoms.hpp"
 #include "measure/query.hpp"
 #include "measure/reach.hpp"
+#include "shapes/distance.hpp"
 
 namespace pantin {
 
@@ -82,16 +84,12 @@ void spin_by_hand(World& world, const Command& c) {
   set_spin(world, body, spin + world.plane.about(c.amount));
 }
 
-/// A single thing at rest has no motion relative to itself, and stays as it is.
 void heat_by_hand(World& world, const Command& c) {
   require_finite("heat", "position", c.position, "m");
   require_positive("heat", "radius", c.radius, "m");
   require_finite("heat", "the energy", c.energy, "J");
   const Things things = heated_by(world, c.position, c.radius);
-  const double own = heat_in(world, things);
-  const bool alone = things.bodies.size() + things.free_points.size() == 1 && count_freedoms(world, things).common > 0;
-  if (alone && !(own > 1e-12 * std::fmax(energy(world, things).kinetic, c.energy))) return;
-  heat(world, things, std::fmax(c.energy, -own));
+  if (takes_heat(world, things, c.energy)) heat(world, things, std::fmax(c.energy, -heat_in(world, things)));
 }
 
 /// A key that is let go is told.
@@ -124,6 +122,20 @@ void move_mouse(World& world, const Command& c) {
   world.mouse = now;
 }
 
+void add_bodies_without_points(const World& world, Vec3 position, double radius, std::vector<BodyId>& bodies) {
+  const Geometry ball = BallShape{radius};
+  for (const BodyId id : world.bodies.ids()) {
+    const Body& body = world.bodies[id];
+    const bool reached =
+        body.points.empty() && std::ranges::any_of(body.shapes, [&](ShapeId shape) {
+          const Shape& row = world.shapes[shape];
+          return separation(row.geometry, pose_of(world, row), ball, Pose{position, identity33()}).distance <= 0.0;
+        });
+    if (reached) bodies.push_back(id);
+  }
+  std::sort(bodies.begin(), bodies.end());
+}
+
 void carry_out(World& world, const Command& c) {
   switch (c.kind) {
     case Command::Kind::grab: return grab_by_hand(world, c);
@@ -150,10 +162,16 @@ void carry_out(World& world, const Command& c) {
 
 Things heated_by(const World& world, Vec3 position, double radius) {
   Things things = things_of(world, near(world, position, radius));
+  add_bodies_without_points(world, position, radius, things.bodies);
   std::sort(things.free_points.begin(), things.free_points.end());
   if (things.bodies.size() + things.free_points.size() != 1) return things;
-  const PointId one = things.bodies.empty() ? things.free_points[0] : world.bodies[things.bodies[0]].points[0];
-  return tied_to(world, one, false);
+  if (things.bodies.empty()) return tied_to(world, things.free_points[0], false);
+  return tied_to(world, things.bodies[0], false);
+}
+
+bool takes_heat(const World& world, const Things& things, double joules) {
+  if (things.bodies.size() + things.free_points.size() != 1 || count_freedoms(world, things).common == 0) return true;
+  return heat_in(world, things) > 1e-12 * std::fmax(energy(world, things).kinetic, joules);
 }
 
 void carry_out(World& world, std::span<const Command> commands) {

@@ -9,8 +9,10 @@ namespace pantin {
 /// a thing may have gone on the way: it is dropped, and the log says why.
 void carry_out(World& world, std::span<const Command> commands);
 
-/// What the command "heat" reaches: the bodies and free points with a particle in the ball [m]; of one alone, which has no
-/// heat, all that hinges and rods tie to it.
+/// What the command "heat" reaches: the bodies and free points with a particle in the ball [m], and bodies without any whose
+/// shapes reach into it; of one alone, which has no heat, all that hinges and rods tie to it.
 Things heated_by(const World& world, Vec3 position, double radius);
+/// Whether that heats anything: a single thing at rest has no motion relative to itself.
+bool takes_heat(const World& world, const Things& things, double joules);
 
 }  // namespace pantin

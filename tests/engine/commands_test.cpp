@@ -173,3 +173,27 @@ TEST_CASE("a hand that would heat a single ball at rest leaves it, and says noth
   CHECK(energy(world).kinetic == 0);
   CHECK(world.log.empty());
 }
+
+TEST_CASE("a hand heats bodies without points where their shapes reach into the ball") {
+  World world;
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 3; i++) {
+    BodyDef def;
+    def.at = vec(2 * i, 0, 0);
+    ShapeDef& shape = def.shapes.emplace_back();
+    shape.geometry = BoxShape{vec(0.5, 0.5, 0.5)};
+    boxes.push_back(add_body(world, def));
+  }
+  Command c = command(Kind::heat);
+  c.position = vec(1, 0, 0);
+  c.radius = 0.6;
+  c.energy = 3;
+  act(world, c);
+  CHECK(world.log.empty());
+  CHECK(energy(world).kinetic == Approx(3));
+  CHECK(norm(world.motion_of(boxes[0]).p) > 0);
+  CHECK(norm(world.motion_of(boxes[1]).p) > 0);
+  CHECK(norm(world.motion_of(boxes[2]).p) == 0);
+  CHECK(heated_by(world, vec(1, 0, 0), 0.4).bodies.empty());
+  CHECK_FALSE(takes_heat(world, heated_by(world, vec(4.6, 0, 0), 0.2), 3));
+}
