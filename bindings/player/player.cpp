@@ -151,6 +151,7 @@ void Player::take_steps(double elapsed) {
   const World& world = scene_->world();
   int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace() * speed_);
   if (due == 0) return pacing_.end_frame(0, 0.0);
+  count_sent(waiting_.commands);
   HandPath path(world, std::exchange(waiting_, {}), due);
   auto start = Clock::now();
   int done = 0;

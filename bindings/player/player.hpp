@@ -77,12 +77,14 @@ class Player {
   std::int32_t new_hand();
   bool presses_in_scene() const;
   bool goes_on_changing(const std::string& name) const;
-  void keep_for_undo(const std::string& act, const StepInput& before);
+  std::uint64_t keep_for_undo(const std::string& act, const StepInput& before);
   void go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&));
   void put_in_place(const Scene& old);
   void do_at_once();
   void tell(const std::string& what);
   void tell_dropped();
+  void forget_act_that_failed();
+  void count_sent(const std::vector<Command>& commands);
   void tell_tool();
   std::string hint() const;
   void draw_tools();
@@ -167,6 +169,12 @@ class Player {
   EdgeArrows edge_arrows_;
   StepInput waiting_;       ///< what hands did since the last step
   StepInput before_hands_;  ///< the same before this frame
+  struct LastAct {
+    std::uint64_t number = 0;           ///< in `undo_`
+    std::size_t sent = 0, dropped = 0;  ///< commands since it was begun, and those of them that could not be done
+    bool failed() const { return sent > 0 && dropped >= sent; }
+  };
+  LastAct last_act_;
   Pacing pacing_;
   Status status_;
   Times times_;

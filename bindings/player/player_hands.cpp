@@ -14,6 +14,18 @@ namespace {
 constexpr std::chrono::seconds told_for{4}, hinted_for{30};
 constexpr std::chrono::seconds played_for{20}, asked_for{10};  // before it is told how to show it, and how long
 
+/// Whether undo takes it back; the others tell what is held, or end what another began.
+bool is_act(const Command& command) {
+  switch (command.kind) {
+    case Command::Kind::release:
+    case Command::Kind::key:
+    case Command::Kind::button:
+    case Command::Kind::control:
+    case Command::Kind::mouse: return false;
+    default: return true;
+  }
+}
+
 }  // namespace
 
 Viewport Player::viewport() const {
@@ -43,7 +55,7 @@ Actions Player::take_hands(double elapsed) {
   const bool tries = !actions.acts.empty() || presses_in_scene();
   if (!tried_ && tries) tried_at_ = Clock::now();
   tried_ |= tries;
-  if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before_hands_);
+  if (!actions.acts.empty()) last_act_.number = keep_for_undo(actions.acts.back(), before_hands_);
   return actions;
 }
 
@@ -58,17 +70,30 @@ std::int32_t Player::new_hand() {
   return add_hand(scene_->world());
 }
 
-void Player::keep_for_undo(const std::string& act, const StepInput& before) {
+std::uint64_t Player::keep_for_undo(const std::string& act, const StepInput& before) {
+  forget_act_that_failed();
   acted_ = true;
   try {
-    undo_.begin(scene_, times_, before, act);
+    return undo_.begin(scene_, times_, before, act);
   } catch (const Error& error) { tell(text(act, " cannot be undone: ", error.what())); }
+  return 0;
+}
+
+/// An act of a hand all of whose commands were dropped is nothing to be undone.
+void Player::forget_act_that_failed() {
+  if (last_act_.failed()) undo_.forget(last_act_.number);
+  last_act_ = {};
+}
+
+void Player::count_sent(const std::vector<Command>& commands) {
+  last_act_.sent += static_cast<std::size_t>(std::ranges::count_if(commands, is_act));
 }
 
 void Player::undo() { go_back(&Undo::undo); }
 void Player::redo() { go_back(&Undo::redo); }
 
 void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&)) {
+  forget_act_that_failed();
   std::string told;
   const std::shared_ptr<Scene> old = scene_;
   if ((undo_.*way)(scene_, times_, waiting_, told)) {
@@ -97,6 +122,7 @@ void Player::do_at_once() {
     return true;
   });
   if (now.empty()) return;
+  count_sent(now);
   if (recorder_) recorder_->done_at_once(now);
   carry_out(scene_->world(), now);
   changes_++;
@@ -113,8 +139,11 @@ void Player::tell_dropped() {
   const std::vector<LogLine>& log = scene_->world().log;
   log_read_ = std::min(log_read_, log.size());  // a script may have gone back to when it was shorter
   for (; log_read_ < log.size(); log_read_++)
-    if (log[log_read_].kind == "dropped" && log[log_read_].text.find(" by hand ") != std::string::npos)
+    if (log[log_read_].kind == "dropped" && log[log_read_].text.find(" by hand ") != std::string::npos) {
       tell(log[log_read_].text);
+      last_act_.dropped++;
+    }
+  if (last_act_.failed() && !hands_.active()) forget_act_that_failed();
 }
 
 /// What a hand may do next, to one that has done nothing in this scene; and to one that has, how to show it.

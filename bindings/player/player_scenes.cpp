@@ -323,10 +323,13 @@ void Player::choose() {
 
 void Player::edit(const FieldEdit& edit) {
   changes_++;
-  keep_for_undo(text("edit of ", edit.field), waiting_);
+  const std::uint64_t act = keep_for_undo(text("edit of ", edit.field), waiting_);
   try {
     fields::write(scene_->world(), edit.thing, edit.field, edit.value);
-  } catch (const std::exception& error) { complain(error.what()); }
+  } catch (const std::exception& error) {
+    undo_.forget(act);
+    complain(error.what());
+  }
   if (recorder_) recorder_->edited(edit);
 }
 

@@ -25,19 +25,30 @@ std::string obstacle(const Scene& scene) {
 
 }  // namespace
 
-void Undo::begin(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
-                 const std::string& act) {
-  future_.clear();
-  if (!scene->why_not_restore().empty()) return past_.clear();
+std::uint64_t Undo::begin(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
+                          const std::string& act) {
+  future_before_ = std::exchange(future_, {});
+  if (!scene->why_not_restore().empty()) {
+    past_.clear();
+    return 0;
+  }
   past_.push_back(keep(scene, false, times, waiting, act));
   if (past_.size() > most_acts) past_.pop_front();
+  return past_.back().number;
 }
 
 void Undo::replace(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
                    const std::string& act) {
+  future_before_.clear();
   future_.clear();
   past_.push_back(keep(scene, true, times, waiting, act));
   while (past_.size() > most_acts || scenes_in(past_) > most_scenes) past_.pop_front();
+}
+
+void Undo::forget(std::uint64_t act) {
+  if (past_.empty() || past_.back().number != act) return;
+  past_.pop_back();
+  future_ = std::exchange(future_before_, {});
 }
 
 Undo::Entry Undo::keep(const std::shared_ptr<Scene>& scene, bool replaced, const Times& times, const StepInput& waiting,
@@ -60,6 +71,7 @@ std::string_view Undo::last() const { return name_of_last(past_); }
 void Undo::clear() {
   past_.clear();
   future_.clear();
+  future_before_.clear();
 }
 
 UndoState Undo::state(const std::shared_ptr<Scene>& scene) const {
@@ -84,6 +96,7 @@ bool Undo::move(std::shared_ptr<Scene>& scene, Times& times, StepInput& waiting,
     scene = entry.scene;
     if (on_state) on_state(entry.number, true);
     from.pop_back();
+    future_before_.clear();
     times = entry.times;
     waiting = entry.waiting;
     told = does + (": " + entry.act);

@@ -16,11 +16,15 @@ namespace pantin::player {
 /// they were before; they are taken back by putting that back. A scene that another took the place of is kept as it is.
 class Undo {
  public:
-  /// An act begins. Where the scene cannot be put back, nothing is kept; throws Error where it cannot be kept.
-  void begin(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting, const std::string& act);
+  /// An act begins: its number. Where the scene cannot be put back, nothing is kept, and that is 0; throws Error where it
+  /// cannot be kept.
+  std::uint64_t begin(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
+                      const std::string& act);
   /// Another scene takes the place of this one, which must not change from now on.
   void replace(const std::shared_ptr<Scene>& scene, const Times& times, const StepInput& waiting,
                const std::string& act);
+  /// An act did nothing: where it is the last, it is none, and what could be done again before it can be.
+  void forget(std::uint64_t act);
   /// The act that can be taken back, or empty.
   std::string_view last() const;
   /// Takes the last act back, or does it again, and tells what became of that. True where the scene was put back, or
@@ -53,6 +57,7 @@ class Undo {
   Entries past_;              ///< before each act, oldest first
   std::uint64_t states_ = 0;  ///< that were kept
   Entries future_;            ///< after each act that was undone, oldest last
+  Entries future_before_;     ///< the same before the last act was begun
 };
 
 }  // namespace pantin::player

@@ -66,6 +66,10 @@ void PlayerInput::let_go(const World& world, StepInput& input) {
   }
 }
 
+bool PlayerInput::active() const {
+  return std::ranges::any_of(holds_, [](const auto& held) { return held.second.use.active(); });
+}
+
 bool PlayerInput::cancel(StepInput& input) {
   std::vector<std::string> said, acts;
   ToolOutput output{input, said, acts};

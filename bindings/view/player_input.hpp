@@ -56,6 +56,8 @@ class PlayerInput {
   void let_go(const World& world, StepInput& input);
   /// All hands stop what they do; false where none did anything.
   bool cancel(StepInput& input);
+  /// Whether one of them does something now.
+  bool active() const;
   /// The world goes on in another: its hands have other numbers, and what is held is another point, or null.
   void carry_over(const std::map<std::int32_t, std::int32_t>& hands,
                   const std::function<PointId(PointId)>& counterpart);

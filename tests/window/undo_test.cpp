@@ -1,8 +1,10 @@
 // What hands did is undone and done again, to the bit, by pushed events.
 #include <catch2/catch.hpp>
 
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
+#include "player/undo.hpp"
 #include "window/played_chain.hpp"
 
 using namespace pantin;
@@ -71,6 +73,24 @@ TEST_CASE("undo puts the scene back to the bit, redo does it again", "[window]")
   session.cut();
   session.steps(20);
   CHECK(state_hash(session.world()) == after);  // the same act comes to the same bits
+}
+
+TEST_CASE("an act that is forgotten is none, and what was undone before it can be done again", "[view]") {
+  std::shared_ptr<Scene> scene = lua::open_scene_text("scene:particle {}", "a.lua", "", {});
+  player::Undo undo;
+  player::Times times;
+  StepInput waiting;
+  std::string told;
+  undo.begin(scene, times, waiting, "nail");
+  REQUIRE(undo.undo(scene, times, waiting, told));
+  const std::uint64_t failed = undo.begin(scene, times, waiting, "chain");
+  CHECK(undo.last() == "chain");
+  undo.forget(failed);
+  CHECK(undo.last().empty());
+  CHECK(undo.redo(scene, times, waiting, told));
+  CHECK(told == "redo: nail");
+  undo.forget(failed);
+  CHECK(undo.last() == "nail");
 }
 
 TEST_CASE("undo with nothing done changes nothing, and a hand that held lets go", "[window]") {
