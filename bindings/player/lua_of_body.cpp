@@ -30,6 +30,24 @@ std::string lua_of_cover(const Cover& cover) {
   return cover.width > 0.0 ? text("{ file = ", file, ", width = ", lua_of(cover.width), " }") : file;
 }
 
+/// A piece has its part of the picture of the whole.
+std::string lua_of_picture(const Shape& shape) {
+  const Cover& cover = *shape.cover;
+  if (is_over_own_box(cover, shape.geometry)) return lua_of_cover(cover);
+  const std::string width = cover.width > 0.0 ? text("width = ", lua_of(cover.width), ", ") : "";
+  return text("{ file = ", quoted(cover.picture->file), ", ", width, "low = ", lua_of(cover.low),
+              ", high = ", lua_of(cover.high), " }");
+}
+
+/// Whether one text says it of both.
+bool is_pictured_alike(const Shape& a, const Shape& b) {
+  if (!a.cover || !b.cover) return !a.cover && !b.cover;
+  if (a.cover->picture != b.cover->picture || a.cover->width != b.cover->width) return false;
+  const bool own = is_over_own_box(*a.cover, a.geometry);
+  if (own || is_over_own_box(*b.cover, b.geometry)) return own && is_over_own_box(*b.cover, b.geometry);
+  return same(a.cover->low, b.cover->low) && same(a.cover->high, b.cover->high);
+}
+
 /// As a script would write it; nothing where it has no text.
 std::optional<std::string> lua_of_value(const fields::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return lua_of(*number);
@@ -85,7 +103,7 @@ std::string lua_of_list(std::span<const Vec3> places) {
 int flat_axis(const World& world) { return world.plane.flat() ? world.plane.normal : 2; }
 
 /// A prism as `shape.polygon` makes it, corner by corner; nothing: it is none.
-std::optional<std::string> lua_of_prism(const World& world, const Hull& hull) {
+std::optional<std::string> lua_of_prism(const World& world, const Hull& hull, const std::string& at) {
   const int axis = flat_axis(world);
   const double half = hull.vertices[1][axis];
   std::vector<Vec3> outline;
@@ -97,20 +115,20 @@ std::optional<std::string> lua_of_prism(const World& world, const Hull& hull) {
     outline.push_back(low);
   }
   if (hull.vertices.size() % 2 != 0 || !(half > 0.0)) return {};
-  return text("shape.polygon { points = { ", lua_of_list(outline), " }, thickness = ", lua_of(2.0 * half), " }");
+  return text("shape.polygon { points = { ", lua_of_list(outline), " }, thickness = ", lua_of(2.0 * half), at, " }");
 }
 
 std::optional<std::string> lua_of_hull(const World& world, const Shape& shape) {
   const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape.geometry);
-  if (!hull || !same(shape.at, zero3()) || shape.orientation.w != 1.0) return {};
-  if (auto prism = lua_of_prism(world, **hull)) return prism;
-  return text("shape.hull { ", lua_of_list((*hull)->vertices), " }");
+  if (!hull || shape.orientation.w != 1.0) return {};
+  const std::string at = same(shape.at, zero3()) ? "" : ", at = " + lua_of(shape.at);
+  if (auto prism = lua_of_prism(world, **hull, at)) return prism;
+  return text("shape.hull { ", lua_of_list((*hull)->vertices), at, " }");
 }
 
 /// Several hulls of one material, as those of a polygon that is not convex.
 std::optional<Form> form_of_hulls(const World& world, const Body& body) {
   const Material& first = world.shapes[body.shapes[0]].material;
-  const auto picture_of = [](const Shape& shape) { return shape.cover ? shape.cover->picture : nullptr; };
   std::string list;
   for (const ShapeId id : body.shapes) {
     const Shape& shape = world.shapes[id];
@@ -118,7 +136,7 @@ std::optional<Form> form_of_hulls(const World& world, const Body& body) {
     const Material& m = shape.material;
     const bool alike = m.density == first.density && m.friction == first.friction &&
                        m.restitution == first.restitution && !shape.sensor &&
-                       picture_of(shape) == picture_of(world.shapes[body.shapes[0]]);
+                       is_pictured_alike(shape, world.shapes[body.shapes[0]]);
     if (!hull || !alike) return {};
     list += text(list.empty() ? "" : ", ", *hull);
   }
@@ -237,7 +255,7 @@ LuaOfBody lua_of_body(const World& world, BodyId id) {
     lua.options = form->options;
     lua.color = fields::text_of(shape.color);
     add_material(world, body, lua.options);
-    if (shape.cover) lua.options.push_back("picture = " + lua_of_cover(*shape.cover));
+    if (shape.cover) lua.options.push_back("picture = " + lua_of_picture(shape));
   }
   if (body.sprite) lua.options.push_back("sprite = " + lua_of_cover(*body.sprite));
   if (!body.name.empty()) lua.options.push_back("name = " + quoted(body.name));

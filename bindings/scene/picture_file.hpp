@@ -14,5 +14,8 @@ struct PictureSize {
 
 /// Of a PNG or JPEG, by its head; throws Error that says what is wrong with it where it is neither, or not whole.
 PictureSize size_of_picture(std::string_view content);
+/// Of one that has a size: throws Error that says so where its pixels are damaged, as by their checksums, or cannot be made
+/// out.
+void check_pixels(std::string_view content);
 
 }  // namespace pantin

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/lanes.hpp"
+#include "shapes/shape.hpp"
 
 namespace pantin {
 
@@ -18,7 +19,10 @@ struct Picture {
 struct Cover {
   std::shared_ptr<const Picture> picture;
   double width = 0.0;                  ///< [m] of the picture, which is repeated; 0: once over the box
-  Vec3 low = zero3(), high = zero3();  ///< [m] the box of the shape, in its axes
+  Vec3 low = zero3(), high = zero3();  ///< [m] the box that it lies over, in the shape's axes
 };
+
+/// Whether it lies over a shape's own box, to rounding; else it lies over that of a whole of which the shape is a piece.
+bool is_over_own_box(const Cover& cover, const Geometry& shape);
 
 }  // namespace pantin

@@ -1538,6 +1538,8 @@ function OpenedScene:restore(snapshot) end
 ---@class PictureOptions
 ---@field file string in the scene's folder or assets/pictures
 ---@field width? number [m] of the picture, which is repeated (default once on each face)
+---@field low? vec [m] corner of the box that it lies over, in the shape's axes: of a piece, that of the whole (default the shape's own)
+---@field high? vec [m] the corner opposite to that (default the shape's own)
 
 ---A flat picture that is drawn instead of a thing; what is less than half opaque of it is not there. A .glb has the thing.
 ---@class Sprite

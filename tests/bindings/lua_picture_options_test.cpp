@@ -67,6 +67,9 @@ TEST_CASE("picture options: what cannot be read is told with its file, and what 
   support::write_file(folder / "text.png", "no picture");
   support::write_file(folder / "half.png", crate().substr(0, 5000));
   support::write_file(folder / "wide.png", png_of(5000));
+  std::string damaged = crate();
+  damaged[4000] = static_cast<char>(damaged[4000] ^ 1);
+  support::write_file(folder / "damaged.png", damaged);
   support::write_file(folder / "none.png", png_of(0));
   support::write_file(folder / "huge.png", std::string(largest_picture_file + 1, ' '));
   support::write_file(elsewhere / "a.png", crate());
@@ -76,6 +79,10 @@ TEST_CASE("picture options: what cannot be read is told with its file, and what 
   };
   CHECK_THAT(told("'text.png'"), Contains("scene.lua:1: box: picture: 'text.png' is neither a PNG nor a JPEG"));
   CHECK_THAT(told("'half.png'"), Contains("'half.png' is not whole"));
+  CHECK_THAT(told("'damaged.png'"),
+             Contains("scene.lua:1: box: picture: 'damaged.png' is damaged: the checksum of its "));
+  CHECK_THAT(failure_in(folder, "scene:box { size = 1, sprite = { file = 'damaged.png', width = 1 } }"),
+             Contains("scene.lua:1: box: sprite: 'damaged.png' is damaged"));
   CHECK_THAT(told("'wide.png'"), Contains("'wide.png' has 5000 x 128 pixels; at most 4096 x 4096 are read"));
   CHECK_THAT(told("'none.png'"), Contains("'none.png' has 0 x 128 pixels"));
   CHECK_THAT(told("'huge.png'"), Contains("at most 16 are read"));
@@ -86,6 +93,12 @@ TEST_CASE("picture options: what cannot be read is told with its file, and what 
              Contains("box: picture must be a file, \"crate.png\", or a table { file, width }, got a number"));
   CHECK_THAT(told("{ width = 1 }"), Contains("needs a file"));
   CHECK_THAT(told("{ file = 'crate.png', width = 0 }"), Contains("width must be from"));
+  CHECK_THAT(told("{ file = 'crate.png', low = vec(0, 0, 0) }"), Contains("takes low and high"));
+  CHECK_THAT(told("{ file = 'crate.png', low = vec(0, 0, 0), high = vec(1, 0, 1) }"),
+             Contains("low must be below high"));
+  CHECK_THAT(
+      failure_in(folder, "scene:floor { picture = { file = 'crate.png', low = vec(0, 0, 0), high = vec(1, 1, 1) } }"),
+      Contains("a plane has none"));
   CHECK_THAT(told("{ file = 'crate.png', wide = 1 }"), Contains("unknown field 'wide'"));
   CHECK_THAT(failure_in(folder, "scene:box { size = 1, sprite = 'bird.png' }"), Contains("sprite: needs a width [m]"));
   CHECK_THAT(failure_in(folder, "scene:body { mass = 1, picture = 'crate.png' }"),

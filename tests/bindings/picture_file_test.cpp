@@ -50,3 +50,24 @@ TEST_CASE("picture file: what is neither, and a JPEG of another kind, are told")
   headless[12] = 'J';
   CHECK_THROWS_WITH(size_of_picture(headless), Contains("without a head"));
 }
+
+TEST_CASE("picture file: a PNG one byte of which is another is told, wherever that is") {
+  const std::string content = made(true, 20, 30);
+  CHECK_NOTHROW(check_pixels(content));
+  for (std::size_t at = 8; at < content.size(); at++) {
+    std::string damaged = content;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    CAPTURE(at);
+    CHECK_THROWS_AS((size_of_picture(damaged), check_pixels(damaged)), Error);
+  }
+}
+
+TEST_CASE("picture file: a JPEG whose pixels cannot be made out is told") {
+  std::string content = made(false, 20, 30);
+  CHECK_NOTHROW(check_pixels(content));
+  const std::size_t tables = content.find("\xff\xc4");
+  REQUIRE(tables != content.npos);
+  for (std::size_t i = 5; i < 21; i++) content[tables + i] = '\xff';  // more codes than there can be
+  CHECK_NOTHROW(size_of_picture(content));
+  CHECK_THROWS_WITH(check_pixels(content), Contains("has pixels that cannot be made out: "));
+}

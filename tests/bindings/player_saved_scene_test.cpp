@@ -378,3 +378,25 @@ TEST_CASE("saved scene: the picture and the sprite of what a hand copied are wri
                                      Contains("picture = \"beach_ball.png\""));
   CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
 }
+
+TEST_CASE("saved scene: a piece has its part of the picture of the whole") {
+  Built built(empty + R"(
+    local block = scene:box { size = 1, at = vec(0, 3, 0), picture = "bricks.png" }
+    scene:at(0.05, function() scene:shatter(block, { pieces = 5 }) end)
+  )");
+  for (int i = 0; i < 20; i++) built.scene->step();
+  const World& world = built.world();
+  REQUIRE(world.bodies.size() == 5);
+  const player::SavedScene saved = built.save();
+  CHECK(saved.left_out == std::vector<std::string>());
+  const auto again = Built::open(saved);
+  const std::vector<BodyId> here = world.bodies.ids(), there = again->world().bodies.ids();
+  REQUIRE(there.size() == here.size());
+  for (std::size_t i = 0; i < here.size(); i++) {
+    const Shape &piece = world.shapes[world.bodies[here[i]].shapes[0]],
+                &opened = again->world().shapes[again->world().bodies[there[i]].shapes[0]];
+    REQUIRE(opened.cover);
+    CHECK(same(opened.cover->low, piece.cover->low));
+    CHECK(same(opened.cover->high, piece.cover->high));
+  }
+}

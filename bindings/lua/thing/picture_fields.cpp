@@ -12,7 +12,9 @@ Family& pictured_family(const Self& s) { return s.world.families[s.ref.id<Family
 
 void read_picture_of_body(const Self& s) {
   const Body& body = pictured_body(s);
-  push_cover(s.state, body.shapes.empty() ? nullptr : s.world.shapes[body.shapes[0]].cover.get());
+  if (body.shapes.empty()) return push_cover(s.state, nullptr);
+  const Shape& shape = s.world.shapes[body.shapes[0]];
+  push_cover(s.state, shape.cover.get(), &shape.geometry);
 }
 
 void write_picture_of_body(const Self& s, int index) {
@@ -42,7 +44,7 @@ Field picture_of_collider() {
           "Picture?",
           "",
           "that is drawn on it, times its color; nil: the color alone",
-          [](const Self& s) { push_cover(s.state, pictured_shape(s).cover.get()); },
+          [](const Self& s) { push_cover(s.state, pictured_shape(s).cover.get(), &pictured_shape(s).geometry); },
           write_picture_of_collider};
 }
 

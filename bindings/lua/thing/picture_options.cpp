@@ -24,11 +24,25 @@ std::shared_ptr<const Picture> read_picture(Script& script, lua_State* state, co
   require(size.columns > 0 && size.rows > 0 && size.columns <= largest_picture && size.rows <= largest_picture, what,
           ": '", file, "' has ", size.columns, " x ", size.rows, " pixels; at most ", largest_picture, " x ",
           largest_picture, " are read");
+  try {
+    check_pixels(content);
+  } catch (const Error& wrong) { throw Error(text(what, ": '", file, "' ", wrong.what())); }
   return known = std::make_shared<const Picture>(Picture{file, std::move(content), size.columns, size.rows});
 }
 
-/// A file, or { file, width }.
-std::shared_ptr<const Cover> check_cover(Script& script, lua_State* state, int index, const std::string& what) {
+/// A box to lie over: both of its corners, or neither.
+void take_box(const Options& o, const std::string& what, Cover& cover) {
+  const std::optional<Vec3> low = o.vector("low", "m"), high = o.vector("high", "m");
+  if (!low && !high) return;
+  require(low && high, what, ": takes low and high, both corners of the box that it lies over, or neither");
+  for (int k = 0; k < 3; k++) require((*low)[k] < (*high)[k], what, ": low must be below high in x, y and z");
+  cover.low = *low;
+  cover.high = *high;
+}
+
+/// A file, or a table with that and others.
+std::shared_ptr<const Cover> check_cover(Script& script, lua_State* state, int index, const std::string& what,
+                                         const std::vector<std::string>& others) {
   if (lua_isnil(state, index)) return nullptr;
   Cover cover;
   if (lua_type(state, index) == LUA_TSTRING) {
@@ -37,7 +51,10 @@ std::shared_ptr<const Cover> check_cover(Script& script, lua_State* state, int i
   }
   require(lua_istable(state, index), what, " must be a file, \"crate.png\", or a table { file, width }, got ",
           kind_of_value(state, index));
-  const Options o(state, index, what, {"file", "width"});
+  std::vector<std::string> known = {"file"};
+  known.insert(known.end(), others.begin(), others.end());
+  const Options o(state, index, what, known);
+  take_box(o, what, cover);
   if (const auto width = o.number("width", "m")) {
     require(*width >= 1e-12 && *width <= 1e12, what, ": width must be from 1e-12 m to 1e12 m, got ", *width);
     cover.width = *width;
@@ -59,11 +76,11 @@ std::shared_ptr<const Cover> cover_option(Script& script, const Options& o, cons
 }  // namespace
 
 std::shared_ptr<const Cover> check_picture(Script& script, lua_State* state, int index, const std::string& what) {
-  return check_cover(script, state, index, what);
+  return check_cover(script, state, index, what, {"width", "low", "high"});
 }
 
 std::shared_ptr<const Cover> check_sprite(Script& script, lua_State* state, int index, const std::string& what) {
-  auto cover = check_cover(script, state, index, what);
+  auto cover = check_cover(script, state, index, what, {"width"});
   require(!cover || cover->width > 0.0, what, ": needs a width [m], { file = \"bird.png\", width = 0.4 }");
   return cover;
 }
@@ -80,8 +97,9 @@ std::shared_ptr<const Cover> spread(const std::shared_ptr<const Cover>& cover, c
   if (!cover) return nullptr;
   Cover made = *cover;
   if (std::holds_alternative<HalfSpaceShape>(geometry)) {
+    require(same(made.low, made.high), "picture: low and high are for shapes that end; a plane has none");
     if (made.width == 0.0) made.width = plane_width;
-  } else {
+  } else if (same(made.low, made.high)) {
     const Bounds box = bounds_of(geometry, {});
     made.low = box.low;
     made.high = box.high;
@@ -89,15 +107,23 @@ std::shared_ptr<const Cover> spread(const std::shared_ptr<const Cover>& cover, c
   return std::make_shared<const Cover>(std::move(made));
 }
 
-void push_cover(lua_State* state, const Cover* cover) {
+void push_cover(lua_State* state, const Cover* cover, const Geometry* shape) {
   if (!cover) return lua_pushnil(state);
   const std::string& file = cover->picture->file;
-  if (cover->width == 0.0) return static_cast<void>(lua_pushlstring(state, file.data(), file.size()));
-  lua_createtable(state, 0, 2);
+  const bool own_box = !shape || is_over_own_box(*cover, *shape);
+  if (cover->width == 0.0 && own_box) return static_cast<void>(lua_pushlstring(state, file.data(), file.size()));
+  lua_createtable(state, 0, 4);
   lua_pushlstring(state, file.data(), file.size());
   lua_setfield(state, -2, "file");
-  lua_pushnumber(state, cover->width);
-  lua_setfield(state, -2, "width");
+  if (cover->width > 0.0) {
+    lua_pushnumber(state, cover->width);
+    lua_setfield(state, -2, "width");
+  }
+  if (own_box) return;
+  push(state, cover->low);
+  lua_setfield(state, -2, "low");
+  push(state, cover->high);
+  lua_setfield(state, -2, "high");
 }
 
 }  // namespace pantin::lua
