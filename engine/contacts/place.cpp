@@ -58,6 +58,15 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
+/// Spins of what nothing ties become what they are on average in the drift: without a moment, too, momentum turns about its axes.
+void foresee_spins(const Model& model, TouchIsland& island, double h) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    if (is_point(island.things[i]) || model.motion[island.things[i]].articulate >= 0) continue;
+    IslandBody& b = island.problem.bodies[i];
+    b.w0 += b.inverse_inertia * cross(b.inertia * b.w0, b.w0) * curving(b.w0, h);
+  }
+}
+
 /// Of several that rebound at once none knows when it is met: they are met where they are after the drift.
 void meet_several_at_end(const TouchIsland& island, Contacts& contacts) {
   for (const std::size_t k : island.contacts)
@@ -160,6 +169,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
     if (problem.bodies.size() != 2 || problem.is_tied()) meet_several_at_end(island, contacts);
     act_where_met(island, contacts, false);
     take_half_of_gravity(model, island, settings);
+    foresee_spins(model, island, h);
     want_no_overlaps(island, contacts, h, slow);
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);

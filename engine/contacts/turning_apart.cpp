@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/functions.hpp"
+#include "contacts/manifold.hpp"
 
 namespace pantin {
 
@@ -44,6 +45,23 @@ Vec3 off_tangent(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& roun
          (slip + out * ((then.sine - now.sine) / h - rate - dot(out, slip))) * round.radius;
 }
 
+/// The same of what is flat there, on which a round thing rolls or slides: the two touch where that is by then, and what the
+/// flat one has there turns about. Along the normal the flat one turns under it, too.
+Vec3 under_round(const IslandBody& flat, Vec3 arm, Vec3 out, Vec3 round_velocity, double h) {
+  const Vec3 w = flat.w0, along = cross(w, round_velocity - flat.v0);
+  const double normal = dot(out, along * 2.0 - cross(w, cross(w, arm)));
+  return (along + out * (normal - dot(out, along))) * curving(w, h);
+}
+
+bool is_ball(const Roundness& round) { return round.radius > 0.0 && norm2(round.axis) == 0.0; }
+bool is_flat(const Roundness& round, Vec3 out) {
+  return norm2(round.axis) == 0.0 ? round.radius == 0.0 : edge_of(round.axis, out).sine < flat;
+}
+
+Vec3 core_velocity(const IslandBody& body, Vec3 arm, Vec3 out, const Roundness& round) {
+  return body.v0 + cross(body.w0, arm + out * round.radius);
+}
+
 }  // namespace
 
 double curving(Vec3 spin, double h) {
@@ -62,8 +80,19 @@ Vec3 turning_apart(const TouchIsland& island, const IslandContact& c, const Cont
     return to_frame(c, apart);
   }
   const Vec3 half = n * (0.5 * from.gap);
-  apart += c.b < 0 ? side(c.a, c.ra, n, from.round_a) : side(c.a, c.ra + half, n, from.round_a);
-  if (c.b >= 0) apart -= side(c.b, c.rb - half, n * -1.0, from.round_b);
+  if (c.b < 0) return to_frame(c, side(c.a, c.ra, n, from.round_a));
+  const Vec3 arm_a = c.ra + half, arm_b = c.rb - half;
+  const IslandBody &a = island.problem.bodies[static_cast<std::size_t>(c.a)],
+                   &b = island.problem.bodies[static_cast<std::size_t>(c.b)];
+  const bool is_inner = from.key.feature == inner_ball_id;
+  if (is_ball(from.round_b) && is_flat(from.round_a, n))
+    apart += under_round(a, arm_a, n, core_velocity(b, arm_b, n * -1.0, from.round_b), h);
+  else
+    apart += side(c.a, arm_a, n, from.round_a);
+  if (is_ball(from.round_a) && !is_inner && is_flat(from.round_b, n))
+    apart -= under_round(b, arm_b, n, core_velocity(a, arm_a, n, from.round_a), h);
+  else
+    apart -= side(c.b, arm_b, n * -1.0, from.round_b);
   return to_frame(c, apart);
 }
 
