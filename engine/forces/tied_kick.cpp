@@ -8,6 +8,7 @@
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/matrix.hpp"
+#include "articulates/solve/momenta.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
@@ -226,10 +227,12 @@ void TiedKick::find_known() {
     pantin::push(other[i / batch_size], i % batch_size, pressing_[i].force, world_.plane.about(pressing_[i].moment));
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < sites.size(); s++) add(other, sites[s], forces_on_sites_[s] * dt_);
-  const bool is_allowed = side_.before && !copy_ && (world_.stage.first || !ties_);
+  const bool wants = ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
+  const bool is_allowed =
+      side_.before && !copy_ && !wants && (world_.stage.first || !ties_);  // what is wanted may leap
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
   driven_.assign(other.size(), {});
-  if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion)) driven_ = allowed(driven_);
+  if (wants) driven_ = allowed(driven_);
   wanted_.clear();
   for (Condition& c : a_->conditions) wanted_.push_back(std::exchange(c.wanted, zero3()));
   at_rest_ = true;
@@ -237,6 +240,15 @@ void TiedKick::find_known() {
 }
 
 void TiedKick::solve() {
+  if (solve_with_slopes()) return;
+  without_slopes = true;
+  for (const NodeSite& s : sites) laws_.fields.slope[s.site] = zero33();
+  for (const Pair& p : pairs) laws_.pairs[p.pair].slope = zero33();
+  solve_with_slopes();
+}
+
+/// False where it has no solution in numbers; w is then none either.
+bool TiedKick::solve_with_slopes() {
   Motions known = pushes_;
   for (const NodeSite& s : sites) {
     const Vec3 force = laws_.fields.force[s.site] - laws_.fields.slope[s.site] * laws_.at[s.site];
@@ -253,6 +265,8 @@ void TiedKick::solve() {
   pantin::add(right, driven_, -1.0);
   pantin::add(right, others_, theta);
   pantin::add(right, allowed(known), theta);
+  w_ = right;
+  if (!std::isfinite(product(right, right))) return false;
   w_ = driven_;
   MotionSpace space;
   const auto again = [&](const Motions& motions) { return allowed(motions); };
@@ -276,6 +290,7 @@ void TiedKick::solve() {
     if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;
   }
   for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(w_, space.directions[static_cast<std::size_t>(k)], y(k));
+  return std::isfinite(product(w_, w_));
 }
 
 Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
@@ -287,6 +302,25 @@ Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
     if (!law.one_sided) add(all, sites[p.b], law.impulse * -1.0);
   }
   return all;
+}
+
+/// The rigid motion that has not the angular momentum which impulses of rows made, where their two points are apart.
+Motions TiedKick::given_back() const {
+  if (!ties_ || !acts_at_distance(*a_)) return {};
+  Motions back(w_.size());
+  Vec3 angular = zero3();
+  for (std::size_t k = 0; k < a_->rows.size(); k++)
+    if (a_->rows[k].lever == 0.0) angular += cross(a_->rows[k].d1, borne_[k]);
+  const Vec3 X = centre_of_mass(*a_), spin = spin_for(*a_, X, angular * -1.0, 0.5 * product(w_, w_));
+  for (std::size_t i = 0; i < a_->nodes.size(); i++) {
+    const Node& n = a_->nodes[i];
+    BatchMotion& to = back[i / batch_size];
+    const Vec3 v = cross(spin, n.x0 - X), felt = n.turns ? transposed_times(n.R0, spin) * n.felt_axes : zero3();
+    set_lane(to.v, i % batch_size, v);
+    set_lane(to.w, i % batch_size, n.R0 * felt);
+    pantin::push(to, i % batch_size, v * n.mass, n.R0 * (n.inertia * felt));
+  }
+  return back;
 }
 
 bool TiedKick::finish(const std::vector<Vec3>& told) {
@@ -309,6 +343,7 @@ bool TiedKick::finish(const std::vector<Vec3>& told) {
     allowed(told_impulses(told));
     borne_ = a_->impulses;
   }
+  back_ = given_back();
   const bool again = let_go();
   if (again) {
     find_known();
@@ -369,7 +404,22 @@ double TiedKick::scale_to(double given) {
   const double by = (given - along - 0.5 * size) / slope;
   if (std::fabs(slope) < 0.1 * size || !(std::fabs(by) < 1e-3)) return along + 0.5 * size;
   pantin::add(change_, Motions(change_), by);
+  if (!back_.empty()) pantin::add(back_, Motions(back_), by);
   return (1.0 + by) * along + 0.5 * (1.0 + by) * (1.0 + by) * size;
+}
+
+/// Adds it to the change; returns what it gives to the present velocities [J].
+double TiedKick::add_given_back() {
+  if (back_.empty()) return 0.0;
+  Motions now(change_);
+  for (std::size_t i = 0; i < a_->nodes.size(); i++) {
+    Node n = world_.articulates[index_]->nodes[i];
+    if (!side_.drifted) load(n, world_, world_.settings.gravity);
+    pantin::push(now[i / batch_size], i % batch_size, n.p0, n.R0 * n.P0);
+  }
+  pantin::add(now, back_, 0.5);
+  pantin::add(change_, back_, 1.0);
+  return product(back_, now);
 }
 
 TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
@@ -390,6 +440,7 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
     work.damper = by_laws - work.rest;
   else if (draws(own))
     work.rows.anchors += by_laws - work.rest;
+  work.rows.anchors += add_given_back();
   if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
   for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
   for (std::size_t i = 0; i < own.nodes.size(); i++) {

@@ -47,6 +47,8 @@ class TiedKick {
   std::vector<NodeSite> sites;
   std::vector<Pair> pairs;
   bool crossed = false;  ///< some pairs have one end elsewhere
+  bool without_slopes =
+      false;             ///< with what laws change by it has no solution in numbers: they act as where they were asked
   bool settled = false;  ///< the laws give what was expected of them at w
   double theta = 0.5;
 
@@ -86,6 +88,7 @@ class TiedKick {
     double stiffness;  // [N/m]
   };
 
+  bool solve_with_slopes();
   void hold(Condition& condition, bool held);
   bool let_go();
   Motions allowed(const Motions& impulses);
@@ -93,6 +96,8 @@ class TiedKick {
   Motions forces_of_laws(const Motions& by) const;
   Motions forces_of_laws_and_soft_rows(const Motions& by) const;
   Motions told_impulses(const std::vector<Vec3>& told) const;
+  Motions given_back() const;
+  double add_given_back();
   double scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
   void add(Motions& to, const NodeSite& site, Vec3 impulse) const;
@@ -119,6 +124,7 @@ class TiedKick {
   bool alone_ = false, at_rest_ = false;
   double epsilon_ = 0.0;                                // compliance of the rows that they need
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what is prescribed asks for
+  Motions back_;             // gives back the angular momentum that rows made, whose points are apart
   double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
   std::vector<Vec3> borne_;  // (rows) [N s]
 };

@@ -60,16 +60,13 @@ void list_pairs(VelocityForces& k, bool again, std::size_t& number, Ask ask) {
 
 }  // namespace
 
-void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal, bool again) {
+namespace {
+
+/// Asks the laws themselves; whether one of single particles that does no work by velocity bends.
+bool ask_each(const World& world, Forces& f, const Instant& instant, bool thermal, bool again) {
   VelocityForces& k = thermal ? f.thermostats : f.velocity;
-  const std::size_t n = f.sites.n;
-  k.fields.clear(n);
-  if (f.workless) k.workless.clear(n);
-  if (!again) {
-    k.pairs.clear();
-    k.listed.clear();
-    k.linear = k.known = true;
-  }
+  k.fields.clear(f.sites.n);
+  if (f.workless) k.workless.clear(f.sites.n);
   bool bends = false;
   std::size_t number = 0;
   each_element(f, [&](ActingElement& a) {
@@ -84,6 +81,50 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
     ask(k.workless, k.pairs);
     bends |= !linear;
   });
+  return bends;
+}
+
+/// A derivative may be 0/0 at rest, as that of |v| v: it is what it tends to there, or 0 where that is no number either.
+void take_limits_at_rest(const World& world, Forces& f, const Instant& instant, bool thermal) {
+  constexpr double hardly = 1e-100;  // [m/s] its square is still a number
+  VelocityForces& k = thermal ? f.thermostats : f.velocity;
+  const std::size_t n = f.sites.n;
+  const auto all_finite = [&](const SiteSlopes& of) {
+    return std::all_of(of.slope.begin(), of.slope.begin() + static_cast<std::ptrdiff_t>(n),
+                       [](const Mat3& slope) { return finite(slope); });
+  };
+  const bool workless = f.workless && !all_finite(k.workless);
+  if (!workless && all_finite(k.fields) &&
+      std::all_of(k.pairs.begin(), k.pairs.end(), [](const VelocityPair& p) { return finite(p.slope); }))
+    return;
+  VelocityForces at_hand = k;
+  const AlignedVector<Vec3> v = f.sites.v;
+  for (std::size_t i = 0; i < n; i++) f.sites.v[i] = vec(1.0, 1.0, 1.0) * (hardly * static_cast<double>(i + 1));
+  ask_each(world, f, instant, thermal, true);
+  f.sites.v = v;
+  const auto mend = [](Mat3& slope, const Mat3& limit) {
+    if (!finite(slope)) slope = finite(limit) ? limit : zero33();
+  };
+  for (std::size_t i = 0; i < n; i++) {
+    mend(at_hand.fields.slope[i], k.fields.slope[i]);
+    if (f.workless) mend(at_hand.workless.slope[i], k.workless.slope[i]);
+  }
+  for (std::size_t i = 0; i < k.pairs.size(); i++) mend(at_hand.pairs[i].slope, k.pairs[i].slope);
+  k = std::move(at_hand);
+}
+
+}  // namespace
+
+void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal, bool again) {
+  VelocityForces& k = thermal ? f.thermostats : f.velocity;
+  const std::size_t n = f.sites.n;
+  if (!again) {
+    k.pairs.clear();
+    k.listed.clear();
+    k.linear = k.known = true;
+  }
+  const bool bends = ask_each(world, f, instant, thermal, again);
+  take_limits_at_rest(world, f, instant, thermal);
   k.at.assign(n, zero3());
   std::copy_n(f.sites.v.begin(), n, k.at.begin());
   for (std::size_t i = 0; bends && i < n; i++) {

@@ -151,6 +151,7 @@ void VelocityKick::solve() {
     if (!met) tell_missed();
     if (!finish_tied()) break;
   }
+  tell_unsolved();
   if (amplifies_) tell_amplifying();
   if (f_.workless && !thermal_) tell_fast_turns();
 }
@@ -169,6 +170,12 @@ bool VelocityKick::finish_tied() {
 /// Tells, once, of laws that drive what they act on the more the faster it is.
 void VelocityKick::tell_amplifying() {
   tell_once("a force that grows with the velocity gives energy to what it acts on: ", "");
+}
+
+/// Tells, once, of laws that act as they were where they were asked, since no velocities go with what they would change by.
+void VelocityKick::tell_unsolved() {
+  if (std::any_of(k_.tied.begin(), k_.tied.end(), [](const auto& tied) { return tied->without_slopes; }))
+    tell_once("velocities could not be solved with a force on what is tied, which acts as it was before: ", "");
 }
 
 /// Tells, once, where velocities still changed in the last iteration, and so are not those that the laws make.

@@ -19,8 +19,6 @@ bool acts(const VelocityForces& k, std::size_t site) {
   return norm2(k.fields.force[site]) + norm2(s[0]) + norm2(s[1]) + norm2(s[2]) > 0.0;
 }
 
-bool finite(const Mat3& m) { return pantin::finite(m[0]) && pantin::finite(m[1]) && pantin::finite(m[2]); }
-
 }  // namespace
 
 double VelocityKick::mobility_of(std::size_t site) const {

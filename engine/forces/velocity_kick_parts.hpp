@@ -18,6 +18,7 @@ constexpr double nearly = 1e-9;   ///< of the speeds: what a solution may miss
 constexpr double exactly = 1e-13;
 }  // namespace kicks
 
+inline bool finite(const Mat3& m) { return finite(m[0]) && finite(m[1]) && finite(m[2]); }
 /// How fast the antisymmetric part of a slope turns velocities of a unit mass [1/s].
 double turning_rate(const Mat3& slope);
 /// Size of the symmetric part, which is what does work [N s/m].
@@ -78,6 +79,7 @@ class VelocityKick {
   void tell_amplifying();
   void tell_fast_turns();
   void tell_missed();
+  void tell_unsolved();
   void tell_once(const std::string& what, const std::string& rest);
   bool ask_again();
 

@@ -322,3 +322,83 @@ test("closing the gap of a hinge made over one is an edit, which leaves no energ
   expect(scene.ledger.edit):near(scene.energy.total - before, 1e-9)
   expect(math.abs(scene.ledger.edit)):above(0.1)
 end)
+
+for _, tie in ipairs { "string { p, vec(0, 0, 0), vec(0.5, 0, 0), q }", "pulley(p, vec(0, 0, 0), vec(0.5, 0, 0), q)" } do
+  test("a weight that is drawn to its anchor stays there, at rest: " .. tie:match "%a+", function()
+    for _, steps in ipairs { 60, 240, 1000 } do
+      local scene = open_text([[
+        local p = scene:particle { mass = 3, at = vec(0, -1, 0), name = "p" }
+        local q = scene:particle { mass = 1, at = vec(0.5, -1, 0), name = "q" }
+        local rope = scene:]] .. tie .. [[
+        scene:probe("tension", function() return rope.alive and rope.force or 0 end)
+        scene:at(1.5, function() rope:remove() end)
+      ]], { ["scene.step"] = 1 / steps })
+      local _ = scene.ledger
+      local p, q = scene:find "p", scene:find "q"
+      scene:advance(1.2)
+      expect(p.position):near(vec(0, -2, 0), 1e-4)
+      expect(q.position):near(vec(0.5, 0, 0), 1e-6)
+      expect(scene.energy.kinetic):below(1e-12)
+      expect(scene:read "tension"):near(3 * 9.81, 1e-6)
+      expect(scene.ledger.limit):near(-19.62, 3e-3)
+      expect(scene.error.energy):below(1e-9)
+      scene:advance(0.5)
+      expect(q.position.y):near(-0.5 * 9.81 * 0.2 ^ 2, 1e-6)
+    end
+  end)
+end
+
+test("a heavy end of a string that is drawn to its anchor goes past it, and loses to the other what an impact takes", function()
+  for _, steps in ipairs { 60, 240, 960 } do
+    local scene = open_text([[
+      scene.gravity = vec(0, 0, 0)
+      local p = scene:particle { at = vec(1, 0, 0), velocity = vec(1, 0.5, 0), name = "p" }
+      local q = scene:particle { mass = 1.2, at = vec(0, 0, 1), velocity = vec(0, 0, -1) }
+      scene:string({ p, vec(0, 0, 0), q }, { length = 2 })
+    ]], { ["scene.step"] = 1 / steps })
+    local _ = scene.ledger
+    scene:advance(2)
+    expect(scene:find "p".position:cross(scene:find "p".velocity).z):near(0.5, 1e-9)
+    expect(scene.energy.kinetic):near(0.0411, 2e-4)
+    expect(scene.ledger.limit):near(scene.energy.kinetic - 0.625 - 0.6, 1e-6)
+    expect(scene.error.energy):below(1e-6)
+  end
+end)
+
+test("a weight that is drawn to its anchor lets the other swing about its own", function()
+  for _, steps in ipairs { 60, 240, 960 } do
+    local scene = open_text([[
+      local p = scene:particle { mass = 1, at = vec(math.sin(1), -math.cos(1), 0), name = "p" }
+      local q = scene:particle { mass = 1.2, at = vec(2, -1, 0), name = "q" }
+      scene:pulley(p, vec(0, 0, 0), vec(2, 0, 0), q, { ratio = 2 })
+    ]], { ["scene.step"] = 1 / steps })
+    local p, q = scene:find "p", scene:find "q"
+    scene:advance(1.1)
+    local angle, rate = math.atan(p.position.x, -p.position.y), p.position:cross(p.velocity).z / 9
+    for _ = 1, 1000 do
+      rate = rate - 9.81 / 3 * math.sin(angle) * 0.4e-3
+      angle = angle + rate * 0.4e-3
+    end
+    scene:advance(0.4)
+    expect(q.position):near(vec(2, 0, 0), 1e-6)
+    expect(p.position):near(vec(3 * math.sin(angle), -3 * math.cos(angle), 0), 0.6 / steps)
+    expect(p.velocity):near(vec(3 * rate * math.cos(angle), 3 * rate * math.sin(angle), 0), 3 / steps)
+  end
+end)
+
+test("what cannot move is not told to: a mass on two rods in one line", function()
+  for _, steps in ipairs { 60, 240 } do
+    local scene = open_text([[
+      local p = scene:particle { name = "p" }
+      scene:rod(p, vec(-1, 0, 0))
+      scene:rod(p, vec(1, 0, 0))
+    ]], { ["scene.step"] = 1 / steps })
+    local p = scene:find "p"
+    for _ = 1, 10 do
+      local before = p.position
+      scene:advance(0.1)
+      expect((p.position - before):length()):below(2e-5)
+      expect(p.velocity:length()):below(1e-3)
+    end
+  end
+end)

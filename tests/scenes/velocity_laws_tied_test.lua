@@ -278,3 +278,79 @@ test("a chain whose links stick along one axis and slide along the other keeps t
   expect(chain.error.worst_energy):below(1e-11)
   expect(chain:read "x"):near(0.41466, 2e-4)  -- of 1/15360 s, solved in another way: 0.414657
 end)
+
+for law, text in pairs {
+  ["a drag by the square of the speed"] = "scene:field(scene, force.drag { quadratic = 1e-12 })",
+  ["a drag without its quadratic part"] = "scene:field(scene, force.drag { linear = 0, quadratic = 0 })",
+  ["a magnetic field that grows with the speed"] = [[
+    scene:field(scene, force.point { force = function(p)
+      return p.velocity:length() * p.velocity:cross(vec(0, 0, 1e-9))
+    end })]],
+  ["a damper by the square of the rate"] = [[
+    scene:connect(p, q, force.pair { force = function(d, u) return 1e-12 * u:length() * u end })]],
+} do
+  test("from rest a first step is of all that acts, where a law has no slope at rest: " .. law, function()
+    for _, damper in ipairs { "", "scene:connect(p, r, force.damper { damping = 1.5 })" } do
+      local scene = open_text([[
+        local p = scene:particle { at = vec(0, 0, 0), name = "p" }
+        local q = scene:particle { at = vec(0, -1, 0) }
+        local r = scene:particle { at = vec(1, -1, 0) }
+        scene:rod(p, q) scene:rod(q, r)
+      ]] .. damper .. "\n" .. text)
+      local _ = scene.ledger
+      scene:step()
+      expect(scene.momentum.y):near(-3 * 9.81 * step, 1e-9)
+      expect(scene.ledger.damper):near(0, 1e-9)
+      scene:step()
+      expect(scene.momentum.y):near(-6 * 9.81 * step, 1e-9)
+    end
+  end)
+end
+
+test("what a law has no slope by at rest is what it tends to: a drag is the same with a quadratic part of 0", function()
+  local function at_one(drag)
+    local scene = open_text([[
+      local p = scene:particle { at = vec(1, 0, 0) }
+      local q = scene:particle { at = vec(1, -1, 0), mass = 0.5 }
+      local r = scene:particle { at = vec(2, -1, 0), mass = 0.7, name = "r" }
+      scene:rod(p, vec(0, 0, 0)) scene:rod(p, q) scene:rod(q, r)
+      scene:connect(p, r, force.damper { damping = 1.5 })
+      scene:field(scene:group("air"):add(r), force.drag { ]] .. drag .. " })")
+    scene:advance(1)
+    return scene:find "r".position
+  end
+  expect(at_one "linear = 0.3, quadratic = 0"):near(at_one "linear = 0.3", 1e-9)
+end)
+
+for _, tie in ipairs {
+  "scene:join(first.points[1], second.points[2])",
+  "scene:limit(first.points[1], second.points[2], { max = 1.5 })",
+} do
+  for _, gravity in ipairs { 0, 9.81 } do
+    test(("drawn together, with a damper between, bodies keep their momenta: %s, gravity %g"):format(tie, gravity), function()
+      for _, damping in ipairs { 0.1, 5 } do
+        for _, steps in ipairs { 60, 240 } do
+          local scene = open_text(([[
+            scene.gravity = vec(0, -%g, 0)
+            local function body(x)
+              return scene:body { at = vec(x, 0, 0), points = {
+                { at = vec(-0.5, 0, 0), mass = 0.5 }, { at = vec(0.5, 0, 0), mass = 0.7 }, { at = vec(0, 0.4, 0.1), mass = 0.2 },
+              } }
+            end
+            local first, second = body(0), body(1)
+            %s
+            scene:connect(first.points[1], second.points[3], force.damper { damping = %g })
+          ]]):format(gravity, tie, damping), { ["scene.step"] = 1 / steps })
+          local _ = scene.ledger
+          local mass, centre = 2.8, vec(0.5 + 0.1 / 1.4, 0, 0.02 / 1.4)
+          for i = 1, steps do
+            scene:step()
+            expect(scene.momentum):near(vec(0, -mass * gravity * i / steps, 0), 1e-9)
+            expect(scene.angular_momentum):near(centre:cross(scene.momentum), 1e-9)
+          end
+          expect(scene.ledger.closure):below(1e-9)
+        end
+      end
+    end)
+  end
+end

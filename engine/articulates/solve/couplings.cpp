@@ -238,6 +238,11 @@ double evaluate_couplings(Articulate& a, double h) {
   return worst;
 }
 
+bool leads_to_anchor(const Articulate& a, const Row& row) {
+  return is_coupled(row) && row.lever == 0.0 && row.b < 0 && !a.nodes[static_cast<std::size_t>(row.a)].turns &&
+         !counts_along_axis(row, condition(a, row));
+}
+
 void hold_with_heads(Articulate& a) {
   for (const Coupling& coupling : a.couplings)
     for (std::uint32_t k : coupling.rows) condition(a, a.rows[k]).held = condition(a, a.rows[coupling.head]).held;

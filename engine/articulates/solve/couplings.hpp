@@ -17,6 +17,8 @@ double evaluate_couplings(Articulate& articulate, double h);
 /// Sets `kept` and `wanted` of coupled rows, and what couples them in the projection.
 void project_couplings(Articulate& articulate);
 /// Has all rows hold that have heads which do.
+/// Whether a row is the length of a string from a point mass to an anchor: at 0 it has no direction.
+bool leads_to_anchor(const Articulate& articulate, const Row& row);
 void hold_with_heads(Articulate& articulate);
 /// What keeps a head from making its sum larger than it may be.
 Stop coupling_stop(const Articulate& articulate, const Row& row);

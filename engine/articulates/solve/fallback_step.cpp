@@ -1,8 +1,12 @@
 #include "articulates/solve/fallback_step.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "articulates/solve/couplings.hpp"
+#include "articulates/solve/ends_at_anchors.hpp"
 #include "articulates/solve/energy_return.hpp"
 #include "articulates/solve/loose.hpp"
 #include "articulates/solve/matrix.hpp"
@@ -13,6 +17,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/state.hpp"
+#include "base/functions.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"
 
@@ -225,26 +230,114 @@ void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
 class OnlyDissipates {
  public:
   OnlyDissipates(Articulate& a, Vec3 gravity, DriftReport& report)
-      : a_(a), gravity_(gravity), report_(report), before_(mechanical_energy(a, gravity) - report.outside()) {}
+      : a_(a), gravity_(gravity), report_(report), before_(unexplained_energy()) {}
 
-  double change() const { return mechanical_energy(a_, gravity_) - report_.outside() - before_; }
+  double change() const { return unexplained_energy() - before_; }
   /// Whether the motion had enough of it.
   bool take_out() {
     const double too_much = change() + std::max(a_.symmetric_energy, 0.0);
     if (too_much > 0.0) change_kinetic_energy(a_, -too_much, 1.0, gravity_);
     return change() <= 1e-12 * kinetic_energy(a_);
   }
-  void tell() {
+  /// On the line of limits where one was `met`.
+  void tell(bool met) {
     a_.symmetric_energy = 0.0;
-    report_.dissipated += change();
+    (met ? report_.limit : report_.dissipated) += change();
   }
 
  private:
+  double unexplained_energy() const { return mechanical_energy(a_, gravity_) - report_.outside(); }
+
   Articulate& a_;
   Vec3 gravity_;
   DriftReport& report_;
   double before_;
 };
+
+/// [rad] Of a turn, half of one at most.
+Vec3 rotation_of(const Quat& q) {
+  const Vec3 axis = vec(q.x, q.y, q.z) * (q.w < 0.0 ? -1.0 : 1.0);
+  return direction(axis) * (2.0 * functions::atan2(norm(axis), std::fabs(q.w)));
+}
+
+/// Whether a thing moved much less far than its velocities at both ends of a step say.
+bool is_stuck(Vec3 moved, Vec3 before, Vec3 after) {
+  constexpr double much_less = 0.25;
+  const Vec3 told = (before + after) * 0.5;
+  return dot(moved, told) < much_less * norm2(told);
+}
+
+Vec3 at_most(Vec3 v, double size) { return norm(v) > size ? v * (size / norm(v)) : v; }
+
+/// Where a node, which began the step as `before`, could not go or turn as its velocities say, what is left of them is what it
+/// moved by; what all have in `common` is not counted [m/s]. Whether it was so.
+bool stop_stuck(Node& n, const Node& before, double h, Vec3 common) {
+  const Vec3 v = n.p0 * n.inverse_mass - common, moved = (n.x0 - before.x0) / h - common;
+  const bool stays = is_stuck(moved, before.p0 * n.inverse_mass - common, v);
+  if (stays) n.p0 = (common + at_most(moved, norm(v))) * n.mass;
+  constexpr double most_told = 3.0;  // [rad] beyond it two orientations do not tell how far it turned
+  if (!n.turns || norm(n.spin0) * h > most_told) return stays;
+  const Vec3 spin = n.R0 * n.spin0, turned = rotation_of(n.q0 * conjugate(before.q0)) / h;
+  if (!is_stuck(turned, before.R0 * before.spin0, spin)) return stays;
+  n.P0 += (n.inertia * transposed_times(n.R0, at_most(turned, norm(spin))) - n.P0) * n.felt_axes;
+  n.spin0 = n.inverse_inertia * n.P0;
+  return true;
+}
+
+Mat3 kept_of(const Articulate& a, const Row& row) { return is_rigid(row) ? identity33() : condition(a, row).kept; }
+
+/// The rows that tie a node to the world bear what stopped it [N s], as far as they can, where no others do.
+void bear(Articulate& a, std::size_t node, Vec3 impulse) {
+  const auto id = static_cast<std::int32_t>(node);
+  const auto bears = [&](const Row& row) { return (row.a == id || row.b == id) && !is_soft(row) && row.lever == 0.0; };
+  Mat3 all = identity33() * 1e-9;
+  for (const Row& row : a.rows) {
+    if (!bears(row)) continue;
+    if (row.b >= 0) return;
+    all += kept_of(a, row);
+  }
+  const Vec3 shared = inverse(all) * impulse;
+  for (std::size_t k = 0; k < a.rows.size(); k++)
+    if (bears(a.rows[k])) a.exerted[k] += kept_of(a, a.rows[k]) * shared;
+}
+
+/// What could not move as it is told to is stopped, in an inelastic impact; whether that was of limits, which hold it.
+bool stop_what_stays(Articulate& a, double h, Vec3 common, DriftReport& report) {
+  bool some = false, limited = false;
+  for (std::size_t i = 0; i < a.nodes.size(); i++) {
+    const Vec3 p = a.nodes[i].p0;
+    if (!stop_stuck(a.nodes[i], a.saved[i], h, common)) continue;
+    some = true;
+    if (a.sums_impulses) bear(a, i, a.nodes[i].p0 - p);
+    const auto id = static_cast<std::int32_t>(i);
+    limited = limited || std::any_of(a.conditions.begin(), a.conditions.end(), [&](const Condition& c) {
+                return c.ranged && c.held && (row(a, c).a == id || row(a, c).b == id);
+              });
+  }
+  if (some) report.tell(make_consistent(a, h));
+  return limited;
+}
+
+/// The first projection of a fallback step. Ends of strings at their anchors stay if they can.
+void make_start_of_fallback_consistent(Articulate& a, double h, EndsAtAnchors& ends, DriftReport& report) {
+  if (ends.none()) return report.tell(make_consistent(a, h));
+  const std::vector<Vec3> exerted = a.exerted;
+  const std::vector<Node> nodes = a.nodes;
+  ends.fix();
+  ImpulseWork work = make_consistent(a, h);
+  if (ends.let_go()) {
+    for (std::size_t i = 0; i < a.nodes.size(); i++)
+      if (a.nodes[i].inverse_mass == nodes[i].inverse_mass)
+        std::tie(a.nodes[i].p0, a.nodes[i].P0, a.nodes[i].spin0) = std::tie(nodes[i].p0, nodes[i].P0, nodes[i].spin0);
+    a.exerted = exerted;
+    place_rows_at_start(a);
+    place_rows_at_end(a);
+    hold_stops(a);
+    work = make_consistent(a, h);
+  }
+  ends.rest();
+  report.tell(work);
+}
 
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
@@ -293,13 +386,15 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   place_rows_at_start(a);
   hold_stiff(a);
   for (Node& n : a.nodes) set_end_from_start(n);
+  EndsAtAnchors ends(a);
+  ends.take(h);
   kick(a, h, settings.gravity, report);
   const bool free = is_free(a);
   const Momenta momenta = momenta_of(a);
   const Vec3 centre = centre_of_mass(a) + momenta.p * (h / a.total_mass);
   place_rows_at_end(a);
   hold_stops(a);
-  report.tell(make_consistent(a, h));
+  make_start_of_fallback_consistent(a, h, ends, report);
   for (Condition& c : a.conditions) c.held_before = c.held;
   a.saved = a.nodes;
   drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
@@ -308,6 +403,9 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   accept_gaps(a, settings.tolerance, report);
   for (Condition& c : a.conditions) c.held = c.held_before;
   report.tell(make_consistent(a, h));
+  const bool may_stop = a.fell_back && !a.torn && nothing_driven(a);
+  const bool stopped = may_stop && stop_what_stays(a, h, free ? momenta.p / a.total_mass : zero3(), report);
+  ends.rest();
   if (free) restore_momenta(a, momenta);
   if (!energy.take_out() && !a.torn) {
     if (nothing_driven(a))
@@ -315,7 +413,8 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
     else
       report.hand += energy.change();
   }
-  energy.tell();
+  ends.release();
+  energy.tell(stopped || ends.met());
   for (Row& row : a.rows)
     if (!is_soft(row)) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;

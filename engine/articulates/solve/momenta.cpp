@@ -8,24 +8,6 @@ namespace pantin {
 
 namespace {
 
-/// The spin that makes up for angular momentum, about each principal axis that takes no more than `most` [J] to turn it.
-Vec3 spin_for(const Articulate& a, Vec3 X, Vec3 angular, double most) {
-  Mat3 inertia = zero33();
-  for (const Node& n : a.nodes) add_locked_inertia(inertia, n, X);
-  const auto about = [&](Vec3 axis, double moment) {
-    const double along = dot(axis, angular);
-    return along * along <= 2.0 * most * moment && moment > 0.0 ? axis * (along / moment) : zero3();
-  };
-  if (a.plane.flat()) {
-    const Vec3 normal = direction(a.plane.about(vec(1, 1, 1)));
-    return about(normal, dot(normal, inertia * normal));
-  }
-  const Principal principal = principal_axes(inertia, identity33());
-  Vec3 spin = zero3();
-  for (int i = 0; i < 3; i++) spin += about(principal.axes[i], principal.moments[i]);
-  return spin;
-}
-
 void add_rigid_motion(Articulate& a, Vec3 X, Vec3 velocity, Vec3 spin) {
   for (Node& n : a.nodes) {
     n.p0 += (velocity + cross(spin, n.x0 - X)) * n.mass;
@@ -59,6 +41,23 @@ Momenta momenta_of(const Articulate& a) {
     if (n.turns) m.angular += n.R0 * n.P0;
   }
   return m;
+}
+
+Vec3 spin_for(const Articulate& a, Vec3 X, Vec3 angular, double most) {
+  Mat3 inertia = zero33();
+  for (const Node& n : a.nodes) add_locked_inertia(inertia, n, X);
+  const auto about = [&](Vec3 axis, double moment) {
+    const double along = dot(axis, angular);
+    return along * along <= 2.0 * most * moment && moment > 0.0 ? axis * (along / moment) : zero3();
+  };
+  if (a.plane.flat()) {
+    const Vec3 normal = direction(a.plane.about(vec(1, 1, 1)));
+    return about(normal, dot(normal, inertia * normal));
+  }
+  const Principal principal = principal_axes(inertia, identity33());
+  Vec3 spin = zero3();
+  for (int i = 0; i < 3; i++) spin += about(principal.axes[i], principal.moments[i]);
+  return spin;
 }
 
 Vec3 angular_momentum_at_distance(const Articulate& a, double h) {

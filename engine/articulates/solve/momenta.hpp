@@ -25,6 +25,8 @@ inline void add_locked_inertia(Mat3& sum, const Node& n, Vec3 X) {
 Momenta momenta_of(const Articulate& articulate);
 /// What the rows' forces of a step of h [s], acting at a distance, did to the angular momentum [kg m²/s].
 Vec3 angular_momentum_at_distance(const Articulate& articulate, double h);
+/// The spin about X that makes up for angular momentum, about each principal axis that takes no more than `most` [J] to turn it.
+Vec3 spin_for(const Articulate& articulate, Vec3 X, Vec3 angular, double most);
 /// Gives it these momenta again. Points that all come to one position have nothing to turn; what would take more energy than
 /// all the motion has stays lost. Returns the energy that this gave [J].
 double restore_momenta(Articulate& articulate, const Momenta& wanted);

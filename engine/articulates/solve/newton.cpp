@@ -394,9 +394,24 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
   }
 }
 
+namespace {
+
+/// Whether an end of a string that holds went past its anchor: its direction leaps there, and what is solved between two
+/// directions is no motion.
+bool passes_anchor(const Articulate& a) {
+  return std::any_of(a.couplings.begin(), a.couplings.end(), [&](const Coupling& coupling) {
+    return std::any_of(coupling.rows.begin(), coupling.rows.end(), [&](std::uint32_t k) {
+      const Row& row = a.rows[k];
+      return leads_to_anchor(a, row) && condition(a, row).held && dot(row.d0, row.d1) < 0.0;
+    });
+  });
+}
+
+}  // namespace
+
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   if (!a.all_rigid || a.angular) place_rows_at_start(a);
-  if (!iterate(a, h, gravity, report)) return false;
+  if (!iterate(a, h, gravity, report) || passes_anchor(a)) return false;
   Lanes pushed = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);
   report.hand += sum(pushed);
