@@ -45,7 +45,8 @@ class TakeBack {
         model_(model),
         articulates_(articulates),
         settings_(settings),
-        losses_(island.things.size()) {}
+        losses_(island.things.size()),
+        carried_(island.things.size(), zero3()) {}
 
   /// Returns the change of the kinetic energy [J].
   double run() {
@@ -88,7 +89,14 @@ class TakeBack {
         else
           island_.given.push_back(g);
       });
+      if (p.b < 0) carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.arm_a), p.impulse) * -1.0;
     }
+  }
+  /// By how much its body's turn has carried the end of an arm of then.
+  Vec3 carried(std::int32_t body, Vec3 arm) const {
+    const auto i = static_cast<std::size_t>(body);
+    const BodyState now = state_of(model_, articulates_, island_.things[i], settings_.drifted);
+    return now.R * transposed_times(island_.states[i].R, arm) - arm;
   }
   /// What contacts gave that touch still: as they would give it now.
   void lose_as_now() {
@@ -130,9 +138,20 @@ class TakeBack {
     const BodyState s = state_of(model_, articulates_, thing, settings_.drifted);
     const double before = kinetic_energy(model_, s, thing);
     add_momenta(model_, s, thing, losses_[body].force * -1.0, losses_[body].moment * -1.0);
-    const double by = kinetic_energy(model_, s, thing) - before;
+    const double by = take_where_carried(s, thing, carried_[body]) - before;
     if (const std::size_t i = number_of(model_, thing); i < space_.placing_work.size()) space_.placing_work[i] += by;
     return by;
+  }
+  /// What the world gave acted on a point of the body, which has gone on since: taken back there, too, if that leaves less energy.
+  /// What is thin would else get a spin about its length of the momentum that it turned with. Returns its kinetic energy [J].
+  double take_where_carried(const BodyState& s, std::uint32_t thing, Vec3 moment) {
+    const double then = kinetic_energy(model_, s, thing);
+    if (norm2(moment) == 0.0) return then;
+    add_momenta(model_, s, thing, zero3(), moment * -1.0);
+    const double carried = kinetic_energy(model_, s, thing);
+    if (carried <= then) return carried;
+    add_momenta(model_, s, thing, zero3(), moment);
+    return then;
   }
   /// Impulses acted at one point of two bodies, and are taken back where each of them has carried it: what that changes of the
   /// angular momentum is given back. Of those that were foreseen it is noted: `meet` gives them where they are met.
@@ -165,6 +184,8 @@ class TakeBack {
   const Articulates& articulates_;
   const TouchSettings& settings_;
   std::vector<BodyLoad> losses_;  // (bodies) [N s], [N m s]
+  std::vector<Vec3>
+      carried_;  // (bodies) [N m s] more of it, where the world's impulses are taken back where they are by now
 };
 
 }  // namespace

@@ -70,3 +70,20 @@ test("balls between a floor and a plate that turns go round at half of its rate,
     end
   end
 end)
+
+test("matches that fall on a floor at 60 Hz gain no more than a part of their energy, however they strike it", function()
+  for seed = 1, 20 do
+    local scene = open_text(("scene.seed, scene.step = %d, 1 / 60\n"):format(seed) .. [[
+      scene:floor { friction = 0.5 }
+      local function r() return 2 * math.random() - 1 end
+      scene:body { at = vec(0, 1, 0), velocity = vec(r(), 0, r()), spin = vec(5 * r(), 5 * r(), 5 * r()),
+        orientation = quat(vec(r(), r(), r()), 3 * r()), shape = shape.box(0.043, 0.002, 0.002) }
+    ]])
+    local start, last = scene.energy.total, scene.energy.total
+    for _ = 1, 120 do
+      scene:step()
+      expect(scene.energy.total - last):below(0.05 * start)
+      last = scene.energy.total
+    end
+  end
+end)
