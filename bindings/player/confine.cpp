@@ -10,6 +10,7 @@
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -17,6 +18,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -24,6 +26,8 @@
 #include <filesystem>
 #include <thread>
 
+#include "base/parallel.hpp"
+#include "lua/scene/open.hpp"
 #include "player/message.hpp"
 #include "scene/errors.hpp"
 
@@ -39,11 +43,14 @@ constexpr std::uint64_t to_write =
     to_read | to_write_file | LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_REMOVE_FILE;
 constexpr std::uint64_t file_rights = LANDLOCK_ACCESS_FS_EXECUTE | to_write_file;
 constexpr rlim_t largest_file = rlim_t{4} << 30;  ///< [bytes]
+constexpr rlim_t most_files = 256;                ///< open at once, where nothing is drawn
+constexpr rlim_t threads_to_draw = 256;
 
 /// What could not be held back.
 class Lacks {
  public:
-  void add(const std::string& what) { lines_.push_back(text("--untrusted: ", what, ": ", std::strerror(errno))); }
+  void add(const std::string& what) { add(what, std::strerror(errno)); }
+  void add(const std::string& what, const char* why) { lines_.push_back(text("--untrusted: ", what, ": ", why)); }
   std::vector<std::string> lines() && { return std::move(lines_); }
 
  private:
@@ -160,6 +167,13 @@ constexpr unsigned refused[] = {SYS_socket,
                                 SYS_semget,
                                 SYS_mq_open,
                                 SYS_setpriority,
+                                SYS_sched_setscheduler,
+                                SYS_sched_setparam,
+                                SYS_sched_setattr,
+                                SYS_sched_setaffinity,
+                                SYS_ioprio_set,
+                                SYS_migrate_pages,
+                                SYS_move_pages,
                                 SYS_chmod,
                                 SYS_fchmod,
                                 SYS_fchmodat,
@@ -180,7 +194,7 @@ constexpr unsigned refused[] = {SYS_socket,
 /// The program of the filter. Jumps go over the instruction that follows, an answer.
 class Filter {
  public:
-  Filter() {
+  explicit Filter(bool draws) {
     load(offsetof(seccomp_data, arch));
     answer_unless(AUDIT_ARCH_X86_64, SECCOMP_RET_KILL_PROCESS);
     load(offsetof(seccomp_data, nr));
@@ -188,7 +202,12 @@ class Filter {
     answer(error(ENOSYS));
     answer_if(SYS_clone3, error(ENOSYS));  // its flags lie in memory; the C library goes on with clone
     for (const unsigned call : refused) answer_if(call, error(EPERM));
-    threads_only();
+    if (draws) {
+      flags_only(SYS_clone, 0, CLONE_THREAD);
+    } else {
+      for (const unsigned call : {unsigned{SYS_clone}, unsigned{SYS_memfd_create}}) answer_if(call, error(EPERM));
+      no_shared_memory();
+    }
     argument_only(SYS_prlimit64, 0, 0);
     argument_only(SYS_kill, 0, static_cast<unsigned>(getpid()));
     argument_only(SYS_tgkill, 0, static_cast<unsigned>(getpid()));
@@ -215,11 +234,21 @@ class Filter {
     code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 1, 0));
     answer(with);
   }
-  void threads_only() {
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 4));
-    load(place_of(0));
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0));
+  /// Only where one of the flags is set.
+  void flags_only(unsigned call, unsigned argument, unsigned flags) {
+    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 4));
+    load(place_of(argument));
+    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, flags, 1, 0));
     answer(error(EPERM));
+    answer(SECCOMP_RET_ALLOW);
+  }
+  /// Which no limit counts.
+  void no_shared_memory() {
+    constexpr unsigned shared = MAP_SHARED | MAP_ANONYMOUS;
+    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_mmap, 0, 5));
+    load(place_of(3));
+    code_.push_back(BPF_STMT(BPF_ALU | BPF_AND | BPF_K, shared));
+    answer_if(shared, error(EPERM));
     answer(SECCOMP_RET_ALLOW);
   }
   void argument_only(unsigned call, unsigned argument, unsigned value) {
@@ -230,9 +259,9 @@ class Filter {
   }
   /// Into the terminal, as if its user did.
   void no_typing() {
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_ioctl, 0, 3));
+    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_ioctl, 0, 5));
     load(place_of(1));
-    answer_if(TIOCSTI, error(EPERM));
+    for (const unsigned call : {unsigned{TIOCSTI}, unsigned{TIOCLINUX}}) answer_if(call, error(EPERM));
   }
 
   std::vector<sock_filter> code_;
@@ -257,6 +286,25 @@ void limit(__rlimit_resource resource, rlim_t most, const char* what, Lacks& lac
   lacks.add(what);
 }
 
+/// Of all processes of this user.
+rlim_t threads_of_user() {
+  rlim_t all = 0;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", fs::directory_options::skip_permission_denied, ignored)) {
+    if (std::isdigit(static_cast<unsigned char>(entry.path().filename().string()[0])) == 0) continue;
+    struct stat tasks {};
+    if (stat((entry.path() / "task").c_str(), &tasks) == 0 && tasks.st_uid == getuid()) all += tasks.st_nlink - 2;
+  }
+  return all;
+}
+
+/// Of a process that draws: of others the filter allows none.
+void limit_threads(const Reach& reach, Lacks& lacks) {
+  if (getuid() == 0) return lacks.add("what draws may start any number of threads", "the super-user has no limit");
+  limit(RLIMIT_NPROC, threads_of_user() + static_cast<rlim_t>(reach.threads) + threads_to_draw,
+        "threads are not limited", lacks);
+}
+
 std::string folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path().string() : std::string(".");
 }
@@ -266,6 +314,7 @@ constexpr const char* drawing[] = {"/usr",       "/lib", "/lib64",       "/etc/l
                                    "/etc/glvnd", "/sys", "/dev/urandom", "/etc/fonts"};
 
 void add_drawing(Reach& reach) {
+  reach.draws = true;
   reach.read.insert(reach.read.end(), std::begin(drawing), std::end(drawing));
   reach.write.insert(reach.write.end(), {"/dev/dri", "/dev/null"});
 }
@@ -275,9 +324,9 @@ void add_drawing(Reach& reach) {
 Reach reach_of(const RunOptions& options, const std::string& scene, const std::string& home) {
   constexpr std::size_t beside = std::size_t{1} << 30, of_thread = std::size_t{16} << 20;
   Reach reach;
-  const unsigned threads =
-      options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1U, std::thread::hardware_concurrency());
-  reach.memory = options.memory_limit + beside + of_thread * threads;
+  reach.threads =
+      options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  reach.memory = options.memory_limit + beside + of_thread * static_cast<std::size_t>(reach.threads);
   reach.read = {home + "/scripts", home + "/assets", "/proc/self"};
   std::error_code ignored;
   if (!scene.empty()) reach.read.insert(reach.read.end(), {folder_of(scene), fs::weakly_canonical(scene, ignored)});
@@ -301,12 +350,18 @@ Reach reach_of_window(const RunOptions& options, const std::string& scene, const
 
 std::vector<std::string> hold_back(const Reach& reach) {
   Lacks lacks;
+  if (!reach.draws) {
+    lua::start_limits();
+    pantin::Workers(reach.threads).start();
+    limit(RLIMIT_NOFILE, most_files, "files that are open are not limited", lacks);
+  }
   limit(RLIMIT_CORE, 0, "a crash may leave a core file", lacks);
   limit(RLIMIT_FSIZE, largest_file, "files may grow", lacks);
   limit(RLIMIT_DATA, data_in_use() + reach.memory, "memory is limited by the program's own checks alone", lacks);
+  if (reach.draws) limit_threads(reach, lacks);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) lacks.add("other programs may get more rights");
   hold_files(reach, lacks);
-  if (Filter filter; !filter.hold())
+  if (Filter filter(reach.draws); !filter.hold())
     lacks.add("this kernel has no filter of system calls, sockets and programs are not held back");
   return std::move(lacks).lines();
 }

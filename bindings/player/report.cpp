@@ -40,6 +40,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   Output json(start + ".json"), picture(start + ".svg");
   if (options.untrusted) {
     RunOptions writes = options;
+    writes.threads = 1;
     writes.outputs = {start + ".json", start + ".svg"};
     confine(reach_of(writes, scene, home));
   }

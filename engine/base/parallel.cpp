@@ -6,6 +6,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 // oneTBB is not built for the thread sanitizer, which must be told what waits for what, and to pass over its own tasks.
@@ -51,6 +53,17 @@ Workers::Workers(int threads) : count_(threads) {
 Workers::~Workers() = default;
 Workers::Workers(Workers&&) noexcept = default;
 Workers& Workers::operator=(Workers&&) noexcept = default;
+
+void Workers::start() {
+  using namespace std::chrono_literals;
+  const auto tasks = static_cast<std::size_t>(count_);
+  std::atomic<std::size_t> begun = 0;
+  const auto end = std::chrono::steady_clock::now() + 5s;  // a system that starts no more threads
+  run(tasks, [&](std::size_t, int) {
+    begun++;
+    while (begun < tasks && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(100us);
+  });
+}
 
 void Workers::share(std::size_t tasks, void (*call)(void*, std::size_t, int), void* f) {
   Moment start, end;

@@ -17,6 +17,9 @@ class Workers {
 
   int count() const { return count_; }
 
+  /// All threads are there from here on; as long as the caller's lives, none is started later for as many workers.
+  void start();
+
   /// Calls f(task, worker) for every task < tasks, 0 <= worker < count(), each worker one task at a time. An exception of
   /// a task is thrown here.
   template <class F>

@@ -28,7 +28,7 @@ TEST_CASE("confine: a window that plays a stranger's scene reaches nothing but i
   CHECK_THAT(done.err, Contains("refused reads /etc/passwd"));
   CHECK_THAT(done.err, Contains("refused opens a socket"));
   CHECK_THAT(done.err, Contains("refused clones"));
-  CHECK(support::lines(done.err) >= 23);
+  CHECK(support::lines(done.err) >= 28);
   CHECK(support::read_file(folder / "out/picture.png") != "");
 }
 
@@ -56,5 +56,5 @@ TEST_CASE("confine: a window that shows a stranger's recording reaches nothing b
   CHECK_THAT(done.err, Contains("refused writes the scene"));
   CHECK_THAT(done.err, Contains("refused opens a socket"));
   CHECK_THAT(done.err, Contains("refused clones"));
-  CHECK(support::lines(done.err) >= 23);
+  CHECK(support::lines(done.err) >= 28);
 }

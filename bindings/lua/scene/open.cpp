@@ -6,6 +6,7 @@
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_type.hpp"
 #include "lua/scene/script_scene.hpp"
+#include "lua/vm/watchdog.hpp"
 #include "scene/errors.hpp"
 #include "scene/files.hpp"
 
@@ -43,5 +44,7 @@ std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::str
   if (!options.forgiving) check_parameters_known(script);
   return scene;
 }
+
+void start_limits() { start_watchdog(); }
 
 }  // namespace pantin::lua

@@ -13,6 +13,9 @@ std::unique_ptr<Scene> open_scene(const std::string& path, const SceneOptions& o
 std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::string& name, const std::string& folder,
                                        const SceneOptions& options);
 
+/// The thread that looks after the limits of scripts is there from here on, where a process may start none later.
+void start_limits();
+
 /// Whether a file begins as one of a state.
 bool is_state(const std::string& bytes);
 /// The scene whose state a file holds; `name` is what messages call the file. What of the state is the program's own

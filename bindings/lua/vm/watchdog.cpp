@@ -134,6 +134,8 @@ class Watchdog {
 
 }  // namespace
 
+void start_watchdog() { Watchdog::instance(); }
+
 std::string why_stopped(lua_State* state) {
   const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
   if (scripts_interrupted()) return begin + "the script was interrupted";

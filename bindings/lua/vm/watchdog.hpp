@@ -54,6 +54,9 @@ struct Switched {
   lua_State* from;
 };
 
+/// Its thread is there from here on, where a process may start none later.
+void start_watchdog();
+
 /// Why the script that runs has to end, with its place.
 std::string why_stopped(lua_State* state);
 

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -21,6 +22,19 @@ namespace {
 std::string how_it_ended(int status) {
   if (!WIFSIGNALED(status)) return text("its process ended with exit code ", WEXITSTATUS(status));
   return text("its process was ended by signal ", WTERMSIG(status), " (", strsignal(WTERMSIG(status)), ")");
+}
+
+/// Neither the journal, nor the other ends of pipes, which else would never be seen to end, nor what a person types.
+void close_all_but(int from, int to) {
+  const unsigned ends[] = {static_cast<unsigned>(std::min(from, to)), static_cast<unsigned>(std::max(from, to))};
+  unsigned first = STDERR_FILENO + 1;
+  for (const unsigned kept : ends) {
+    if (kept > first) close_range(first, kept - 1, 0);
+    first = kept + 1;
+  }
+  close_range(first, ~0U, 0);
+  if (const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC); nowhere >= 0)
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, standard);
 }
 
 }  // namespace
@@ -39,10 +53,7 @@ void Workers::serve(int from, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGINT, SIG_IGN);  // which the terminal sends to all: the first process ends this one
   std::signal(SIGTERM, SIG_DFL);
-  if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-  }
+  close_all_but(from, to);
   for (std::string piece; read_text(from, piece);)
     if (!write_text(to, work_(piece))) break;
   _exit(0);
@@ -54,15 +65,7 @@ void Workers::start(Worker& worker) {
   require(pipe2(back.data(), O_CLOEXEC) == 0, "sweep: no pipe: ", std::strerror(errno));
   worker.process = fork();
   require(worker.process >= 0, "sweep: no process: ", std::strerror(errno));
-  if (worker.process == 0) {
-    for (const Worker& other : workers_) {  // else they would never see the end of their pipes
-      if (other.to >= 0) close(other.to);
-      if (other.from >= 0) close(other.from);
-    }
-    close(there[1]);
-    close(back[0]);
-    serve(there[0], back[1]);
-  }
+  if (worker.process == 0) serve(there[0], back[1]);
   close(there[0]);
   close(back[1]);
   worker.to = there[1];
