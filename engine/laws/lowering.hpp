@@ -149,6 +149,7 @@ class Lowering {
 
   Slot power(Expr base, double exponent) {
     if (exponent == 1.0) return value(base);
+    if (exponent == 0.0) return number(1.0);
     if (const auto found = powers_.find({base, exponent}); found != powers_.end()) return found->second;
     const Slot made = new_power(base, exponent);
     return powers_[{base, exponent}] = made;

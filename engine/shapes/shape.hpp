@@ -65,6 +65,11 @@ Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn);
 /// shape is missing.
 void check_shape(const Geometry& shape);
 
+/// Throw Error where something in what was read from a file leads out of it.
+void check_read(const Hull& hull);
+void check_read(const TriangleMesh& mesh);
+void check_read(const HeightField& field);
+
 /// A convex shape is a core widened by a radius: a point, a segment, a box, a hull or a cylinder.
 double rounding_of(const Geometry& convex);
 /// The point of the core farthest along a direction (0 allowed), in the shape's own axes.

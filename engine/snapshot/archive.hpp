@@ -16,6 +16,7 @@
 #include <string_view>
 #include <tuple>
 #include <typeindex>
+#include <typeinfo>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -24,6 +25,7 @@
 #include "base/aligned.hpp"
 #include "base/check.hpp"
 #include "base/fields.hpp"
+#include "base/handle.hpp"
 #include "base/lanes.hpp"
 #include "laws/law.hpp"
 #include "model/constraint.hpp"
@@ -92,18 +94,56 @@ class Reader : public Visiting {
   static constexpr bool reads = true;
   explicit Reader(std::string_view bytes) : rest(bytes) {}
   std::string_view rest;  ///< still to be read
+  /// That handles of each type name: none may lead beyond its store, which is known once all is read.
+  std::map<std::type_index, std::uint32_t> largest_slots;
 
   void raw(void* data, std::size_t size) {
     require(size <= rest.size(), "it ends too early");
     std::copy_n(rest.data(), size, static_cast<char*>(data));
     rest.remove_prefix(size);
   }
-  std::vector<std::shared_ptr<void>> known;  ///< shared things, in the order of their numbers
+  struct Shared {
+    std::shared_ptr<void> thing;  ///< null while it is read: none leads to itself
+    std::type_index type;
+  };
+  std::vector<Shared> known;  ///< in the order of their numbers
+
+  /// What lies within another of its kind, in its scope; a file must not end the stack.
+  class Within {
+   public:
+    explicit Within(Reader& from) : depth_(from.depth_) { require(++depth_ < 200, "things in it lie too deep"); }
+    ~Within() { depth_--; }
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+
+   private:
+    int& depth_;
+  };
+
+ private:
+  int depth_ = 0;
 };
 
 /// What is its bytes: numbers, and lanes of them.
 template <class T>
 inline constexpr bool is_number = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vec3>;
+
+/// Whether an enumeration has a name for the value.
+template <class E, auto value>
+constexpr bool is_named() {
+  const std::string_view name = __PRETTY_FUNCTION__;
+  const std::size_t at = name.find("value = ") + 8;
+  return name[at] != '(' && (name[at] < '0' || name[at] > '9');
+}
+template <class E>
+bool is_one_of(E value) {
+  static constexpr auto named = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{is_named<E, static_cast<E>(i)>()...};
+  }
+  (std::make_index_sequence<64>());
+  const auto at = static_cast<std::size_t>(value);
+  return at < named.size() && named[at];
+}
 
 template <class T>
 concept IsPlain = std::is_aggregate_v<T>;
@@ -130,11 +170,23 @@ template <class A, class List>
 void visit_list(A& a, List& list) {
   using T = std::remove_reference_t<decltype(list[0])>;
   const std::size_t size = visit_size(a, list.size());
-  if constexpr (A::reads) list.resize(size);
-  if constexpr (is_number<T> && !std::is_same_v<List, std::deque<T>>) {
+  if constexpr (is_number<T> && !std::is_enum_v<T> && !std::is_same_v<List, std::deque<T>>) {
+    if constexpr (A::reads) {
+      require(size <= a.rest.size() / sizeof(T), "a list in it is longer than it is");
+      list.resize(size);
+    }
     a.raw(list.data(), size * sizeof(T));
   } else {
-    for (std::size_t i = 0; i < size; i++) visit(a, list[i]);
+    constexpr bool grows = requires { list.emplace_back(); };
+    if constexpr (A::reads && grows) list.clear();
+    if constexpr (A::reads && !grows) {  // vectors of numbers
+      require(size <= a.rest.size() / sizeof(double), "a list in it is longer than it is");
+      list.resize(size);
+    }
+    for (std::size_t i = 0; i < size; i++) {
+      if constexpr (A::reads && grows) list.emplace_back();  // one after the other: it may end before
+      visit(a, list[i]);
+    }
   }
 }
 template <class A, class T>
@@ -247,15 +299,23 @@ void visit_own(A& a, std::shared_ptr<T>& pointer) {
   if constexpr (A::reads) {
     is_new = number == a.known.size() + 1;
     require(is_new || number <= a.known.size(), "it names something that is not in it");
-    if (is_new) a.known.push_back(nullptr);
+    if (is_new) a.known.push_back({nullptr, typeid(Plain)});
   }
   if (is_new) {
-    if constexpr (A::reads)
-      visit_new(a, pointer, a.known[number - 1]);
-    else
+    if constexpr (A::reads) {
+      const Reader::Within within(a);
+      std::shared_ptr<void> made;
+      visit_new(a, pointer, made);
+      a.known[number - 1].thing = made;
+    } else {
       visit_shared(a, const_cast<Plain&>(*pointer));
+    }
   } else if constexpr (A::reads) {
-    pointer = number == 0 ? nullptr : std::static_pointer_cast<Plain>(a.known[number - 1]);
+    pointer = nullptr;
+    if (number == 0) return;
+    const Reader::Shared& shared = a.known[number - 1];
+    require(shared.thing && shared.type == typeid(Plain), "it names something of another kind");
+    pointer = std::static_pointer_cast<Plain>(shared.thing);
   }
 }
 /// What is behind a shared pointer; a kind without fields of its own has its own pair of these.
@@ -264,11 +324,26 @@ void visit_shared(A& a, T& value) {
   visit(a, value);
 }
 template <class T>
+concept IsChecked = requires(const T& thing) {
+  check_read(thing);
+};
+template <class T>
 void visit_new(Reader& a, std::shared_ptr<T>& pointer, std::shared_ptr<void>& known) {
   const auto made = std::make_shared<std::remove_const_t<T>>();
   pointer = made;
   known = made;
   visit(a, *made);
+  if constexpr (IsChecked<T>) check_read(*made);
+}
+
+template <class A, class Row>
+void visit_own(A& a, Handle<Row>& handle) {
+  visit(a, handle.slot);
+  visit(a, handle.generation);
+  if constexpr (A::reads) {
+    std::uint32_t& largest = a.largest_slots[typeid(handle)];
+    largest = std::max(largest, handle.slot);
+  }
 }
 
 /// A plain struct.
@@ -280,10 +355,17 @@ void visit_own(A& a, T& value) {
 
 template <class A, class T>
 void visit(A& a, T& value) {
-  if constexpr (is_number<T>)
+  if constexpr (A::reads && std::is_same_v<T, bool>) {
+    std::uint8_t byte = 0;
+    a.raw(&byte, 1);
+    require(byte < 2, "something in it is neither true nor false");
+    value = byte != 0;
+  } else if constexpr (is_number<T>) {
     a.raw(&value, sizeof(T));
-  else
+    if constexpr (A::reads && std::is_enum_v<T>) require(is_one_of(value), "it names a kind that there is not");
+  } else {
     visit_own(a, value);
+  }
 }
 
 }  // namespace pantin

@@ -12,6 +12,7 @@
 #include "constraints/stiff.hpp"
 #include "edit/assemble.hpp"
 #include "forces/forces.hpp"
+#include "laws/check_read.hpp"
 #include "laws/curve.hpp"
 #include "laws/library.hpp"
 #include "model/path.hpp"
@@ -23,6 +24,42 @@
 
 namespace pantin {
 
+inline constexpr const char* wrong_forces = "what laws act on contradicts itself in it";
+
+inline bool all_below(const std::vector<std::uint32_t>& list, std::size_t size) {
+  return std::all_of(list.begin(), list.end(), [&](std::uint32_t i) { return i < size; });
+}
+
+inline void check_read(const Arranged& x, const Forces& forces) {
+  bool good = x.position.size() == x.n && x.connection.size() == x.n && all_below(x.position, x.n) &&
+              all_below(x.connection, x.n);
+  for (const auto& list : x.sites) good = good && all_below(list, forces.sites.n);
+  for (const auto& column : x.parameters) good = good && column.size() >= x.n + Sites::padding;
+  for (const auto& phase : x.phases)
+    for (const Arranged::Range& range : phase) good = good && range.begin <= range.end && range.end <= x.n;
+  require(good, wrong_forces);
+}
+
+/// `of_all`, `tiled` as for NeighbourList::set_lists.
+inline void check_phases(const std::vector<std::vector<Slab>>& phases, const std::vector<std::vector<char>>& of_all,
+                         const std::vector<std::uint32_t>& tiled, const Forces& forces) {
+  const std::size_t sites = forces.sites.n;
+  const auto is_site = [&](std::uint32_t i) { return i <= sites; };  // the last: the dummy
+  require(of_all.size() == phases.size() && std::all_of(tiled.begin(), tiled.end(), is_site), wrong_forces);
+  for (std::size_t phase = 0; phase < phases.size(); phase++) {
+    require(of_all[phase].size() == phases[phase].size(), wrong_forces);
+    for (std::size_t k = 0; k < phases[phase].size(); k++) {
+      const Slab& slab = phases[phase][k];
+      const std::size_t listed = of_all[phase][k] != 0 ? tiled.size() : slab.own.size();
+      bool good = std::all_of(slab.own.begin(), slab.own.end(), is_site);
+      for (const NeighbourRow& row : slab.rows)
+        good = good && row.site < sites && row.shift < 27 && row.begin <= listed && row.count <= listed - row.begin &&
+               row.count % 4 == 0;
+      require(good, wrong_forces);
+    }
+  }
+}
+
 /// The insides of classes.
 struct StateFields {
   template <class A>
@@ -30,11 +67,27 @@ struct StateFields {
     (visit(a, field), ...);
   }
 
+  /// Each slot is alive, or free once.
+  template <class Row>
+  static void check(const Store<Row>& store) {
+    const std::size_t slots = store.slots_.size();
+    std::vector<char> taken(slots);
+    for (std::size_t slot = 0; slot < slots; slot++) taken[slot] = store.slots_[slot].alive ? 1 : 0;
+    bool good = store.generations_.last_.size() >= slots && store.obituaries_.size() <= slots &&
+                store.size_ == static_cast<std::size_t>(std::count(taken.begin(), taken.end(), 1));
+    for (const std::uint32_t slot : store.free_) good = good && slot < slots && taken[slot]++ == 0;
+    for (std::size_t slot = 0; good && slot < slots; slot++)
+      good = taken[slot] == 1 && store.slots_[slot].generation <= store.generations_.last_[slot];
+    require(good, "a list of things in it contradicts itself");
+  }
   /// Rows of the dead are as new.
   template <class A, class Row>
   static void inside(A& a, Store<Row>& store) {
     visit_all(a, store.slots_, store.obituaries_, store.free_, store.generations_.last_, store.size_);
-    if constexpr (A::reads) store.rows_.assign(store.slots_.size(), Row{});
+    if constexpr (A::reads) {
+      check(store);
+      store.rows_.assign(store.slots_.size(), Row{});
+    }
     for (std::size_t slot = 0; slot < store.slots_.size(); slot++)
       if (store.slots_[slot].alive) visit(a, store.rows_[slot]);
   }
@@ -46,10 +99,24 @@ struct StateFields {
   static void inside(A& a, Spline& s) {
     visit_all(a, s.x_, s.pieces_, s.start_, s.bins_per_x_, s.integral_);
   }
+  static void check(const Spline& s) {
+    const std::size_t points = s.x_.size();
+    bool good = points >= 2 && s.pieces_.size() == points && s.integral_.size() == points && !s.start_.empty();
+    for (const std::uint32_t piece : s.start_) good = good && piece < points;
+    require(good, "a table in it contradicts itself");
+  }
   static std::shared_ptr<Spline> new_spline() { return std::shared_ptr<Spline>(new Spline()); }
   template <class A>
   static void inside(A& a, Expressions& e) {
     visit_all(a, e.nodes_, e.inputs_, e.splines_, e.known_, e.constants_);
+    if constexpr (A::reads) {
+      const auto is_node = [&](const auto& known) {
+        return known.second >= 0 && static_cast<std::size_t>(known.second) < e.nodes_.size();
+      };
+      require(std::all_of(e.known_.begin(), e.known_.end(), is_node) &&
+                  std::all_of(e.constants_.begin(), e.constants_.end(), is_node),
+              "a law in it contradicts itself");
+    }
   }
   template <class A>
   static void inside(A& a, Skin& skin) {
@@ -59,6 +126,7 @@ struct StateFields {
   template <class A>
   static void inside(A& a, Arranged& x) {
     visit_all(a, x.n, x.sites, x.position, x.connection, x.parameters, x.phases, x.ranges_);
+    if constexpr (A::reads) check_read(x, *a.forces);
   }
   template <class A>
   static void inside(A& a, NeighbourList& x) {
@@ -72,7 +140,10 @@ struct StateFields {
           of_all.back().push_back(!tiled.empty() && slab.list == x.tiled().data() ? 1 : 0);
     }
     visit_all(a, tiled, of_all);
-    if constexpr (A::reads) x.set_lists(tiled, of_all);
+    if constexpr (A::reads) {
+      check_phases(x.phases_, of_all, tiled, *a.forces);
+      x.set_lists(tiled, of_all);
+    }
   }
 
   /// Blocks are made anew when it runs.
@@ -80,22 +151,35 @@ struct StateFields {
   static void inside(A& a, LawOnSites& on) {
     bool own_parameters = !on.uniform_.parameters;
     visit_all(a, own_parameters, on.names_, on.asked_);
-    if constexpr (A::reads) on.drop_blocks(own_parameters);
+    if constexpr (!A::reads) return;
+    const std::vector<std::string>& names = a.forces->sites.names;
+    require(on.names_.size() <= names.size() && std::equal(on.names_.begin(), on.names_.end(), names.begin()),
+            wrong_forces);
+    on.drop_blocks(own_parameters);
   }
   template <class A>
   static void inside(A& a, Pairs& x) {
     inside(a, static_cast<LawOnSites&>(x));
     visit_all(a, x.neighbours, x.radius_);
+    if constexpr (A::reads) require(!x.law().touching || x.radius_ < a.forces->sites.attributes.size(), wrong_forces);
   }
   template <class A>
   static void inside(A& a, Fields& x) {
     inside(a, static_cast<LawOnSites&>(x));
     visit_all(a, x.members_);
+    if constexpr (A::reads) require(all_below(x.members_, a.forces->sites.n), wrong_forces);
   }
   template <class A>
   static void inside(A& a, Bonds& x) {
     inside(a, static_cast<LawOnSites&>(x));
     visit_all(a, x.own_parameters_, x.bonds_, x.pull_, x.least2_);
+    if constexpr (!A::reads) return;
+    const auto count = static_cast<std::size_t>(x.law().count);
+    for (std::size_t who = 0; who < count; who++) require(x.bonds_.sites[who].size() == x.bonds_.n, wrong_forces);
+    require(x.own_parameters_ == !x.uniform_.parameters &&
+                x.bonds_.parameters.size() == (x.own_parameters_ ? x.law().parameters.size() : 0) &&
+                (x.pull_.size() == 0 || x.pull_.size() >= x.bonds_.n),
+            wrong_forces);
   }
 };
 
@@ -215,6 +299,7 @@ inline void visit_new(Reader& a, std::shared_ptr<const Spline>& pointer, std::sh
   pointer = made;
   known = made;
   visit(a, *made);
+  StateFields::check(*made);
 }
 
 // Laws at work.
@@ -233,6 +318,11 @@ void visit_elements(A& a, std::vector<Acting>& list, Make make) {
     StateFields::visit_all(a, law, solved);
     if constexpr (A::reads) {
       require(law != nullptr, "a law is missing");
+      using Made = std::remove_reference_t<decltype(list[0])>;
+      if constexpr (std::is_same_v<Made, ActingInteraction>)
+        require(law->kind == LawKind::central || law->kind == LawKind::pair, wrong_forces);
+      else
+        require((law->kind == LawKind::point) == (std::is_same_v<Made, ActingField>), wrong_forces);
       list.push_back(make(law, solved));
     }
     if constexpr (std::is_same_v<Acting, ActingInteraction>)

@@ -1,9 +1,13 @@
 #include "snapshot/world_state.hpp"
 
+#include <algorithm>
+
+#include "articulates/build/build.hpp"
 #include "base/hash.hpp"
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
 #include "forces/solved.hpp"
+#include "snapshot/check_read.hpp"
 #include "snapshot/state_fields.hpp"
 
 namespace pantin {
@@ -37,12 +41,11 @@ void visit_touch(A& a, World& world) {
   if constexpr (A::reads) world.touch_space = has ? std::make_unique<TouchSpace>() : nullptr;
 }
 
-template <class A>
-void visit_finder(A& a, World& world) {
-  ShapesThen shapes;
-  keep_shapes(world.contact_finder.get(), world, shapes);
-  visit(a, shapes);
-  if constexpr (A::reads) put_back(world.contact_finder, world, shapes);
+/// Where shapes were, for all of them; things that were made since go nowhere yet.
+void check_shapes(ShapesThen& then, const World& world) {
+  if (!then.known) return;
+  require(then.shapes.size() >= world.shapes.slots(), "where its shapes were contradicts itself");
+  then.going.resize(std::max(then.going.size(), std::size_t{world.bodies.slots()} + world.points.slots()));
 }
 
 template <class A>
@@ -52,7 +55,6 @@ void visit_all_of(A& a, World& world) {
   visit_articulates(a, world);
   visit_forces(a, world);
   visit_touch(a, world);
-  visit_finder(a, world);
 }
 
 /// Laws of solved connections are told what they read, as when a snapshot is restored.
@@ -74,11 +76,22 @@ void give_paths(World& world) {
 
 }  // namespace
 
-void visit_world(Writer& to, World& world) { visit_all_of(to, world); }
+void visit_world(Writer& to, World& world) {
+  visit_all_of(to, world);
+  ShapesThen shapes;
+  keep_shapes(world.contact_finder.get(), world, shapes);
+  visit(to, shapes);
+}
 
 void visit_world(Reader& from, World& world) {
   world.contact_finder.reset();
   visit_all_of(from, world);
+  ShapesThen shapes;
+  visit(from, shapes);
+  for (const auto& articulate : world.articulates) lay_out_again(*articulate);
+  check_read(from, world);
+  check_shapes(shapes, world);
+  put_back(world.contact_finder, world, shapes);
   give_paths(world);
   tell_solved(world);
 }

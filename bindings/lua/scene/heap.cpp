@@ -101,7 +101,7 @@ std::string key_text(lua_State* state, int index) {
 }
 
 struct RefData {
-  Kind kind;
+  std::uint32_t kind;  ///< a Kind
   std::uint32_t slot, generation;
   std::uint64_t serial;
   AnyId thing;
@@ -272,7 +272,7 @@ void HeapWriter::ref(int index, const std::string& what) {
     const ShapeValue& shape = check_shape_value(state_, index, "save", what);
     return put(Mark::shape, ShapeData{shape.kind, shape.def, shape.color, shape.density_given});
   }
-  const RefData data{ref.kind, ref.slot, ref.generation, ref.serial, ref.thing};
+  const RefData data{static_cast<std::uint32_t>(ref.kind), ref.slot, ref.generation, ref.serial, ref.thing};
   if (ref.kind != Kind::event) return put(Mark::thing, data);
   put(Mark::event, data);
   std::shared_ptr<EventState> shared = shared_state_of_event(ref);
@@ -394,6 +394,7 @@ void HeapReader::remember() {
 }
 
 void HeapReader::value() {
+  const Reader::Within within(from_);
   luaL_checkstack(state_, 16, nullptr);
   Mark mark = Mark::nil;
   visit(from_, mark);
@@ -429,7 +430,8 @@ void HeapReader::value() {
       const std::uint64_t count = number();
       lua_getfield(state_, permanents_, name.c_str());
       lua_CFunction called = lua_tocfunction(state_, -1);
-      require(called && count < 256, "there is no ", name, " any more");
+      const bool has_own = lua_getupvalue(state_, -1, 1) != nullptr;  // which it trusts
+      require(called && !has_own && count < 256, "there is no ", name, " any more");
       lua_pop(state_, 1);
       luaL_checkstack(state_, static_cast<int>(count) + 1, nullptr);
       for (std::uint64_t i = 0; i < count; i++) lua_pushnil(state_);
@@ -467,27 +469,36 @@ void HeapReader::userdata(std::uint8_t mark) {
     case Mark::event: {
       RefData data{};
       visit(from_, data);
-      require(static_cast<std::size_t>(data.kind) < kind_count, "it names a kind that there is not");
-      Ref ref = make_ref(script_, data.kind, data.slot, data.generation, data.serial);
+      const auto kind = static_cast<Kind>(data.kind);
+      const bool has_more = kind == Kind::structure || kind == Kind::shape || kind == Kind::snapshot;
+      require(data.kind < kind_count && !has_more && (kind == Kind::event) == (static_cast<Mark>(mark) == Mark::event),
+              "it names a kind that there is not");
+      Ref ref = make_ref(script_, kind, data.slot, data.generation, data.serial);
       ref.thing = data.thing;
-      if (data.kind != Kind::event) {
+      if (kind != Kind::event) {
         push_ref(state_, ref);
         break;
       }
       std::shared_ptr<EventState> shared;
       visit(from_, shared);
+      require(shared != nullptr, "an event in it has no state");
       push_event_ref(state_, ref, shared);
       break;
     }
     case Mark::structure: {
       Structure structure;
       visit(from_, structure);
+      Structure checked = make_structure(structure.vertices, structure.edges, structure.faces);
+      require(checked.edges.size() == structure.edges.size() &&
+                  (structure.elements.empty() || structure.elements.size() == structure.vertices.size()),
+              "a structure in it contradicts itself");
       push_structure(state_, script_, std::move(structure));
       break;
     }
     case Mark::shape: {
       ShapeData data;
       visit(from_, data);
+      check_shape(data.def.geometry);
       push_shape(state_, script_, {shape_kind(data.kind).name, data.def, data.color, data.density_given});
       break;
     }
@@ -518,7 +529,9 @@ void HeapReader::contents() {
 
 void HeapReader::permanent_tables() {
   for (std::string name = text(); !name.empty(); name = text()) {
-    require(lua_getfield(state_, permanents_, name.c_str()) == LUA_TTABLE, "there is no ", name, " any more");
+    require(lua_getfield(state_, permanents_, name.c_str()) == LUA_TTABLE && is_library_table(name) &&
+                !has_pointers(state_, lua_gettop(state_)),
+            "there is no ", name, " any more");
     const int object = lua_gettop(state_);
     lua_pushnil(state_);
     while (lua_next(state_, object)) {
@@ -535,6 +548,11 @@ void HeapReader::permanent_tables() {
 void HeapReader::table(int index) {
   value();
   require(lua_istable(state_, -1) || lua_isnil(state_, -1), "a metatable in it is none");
+  if (lua_istable(state_, -1)) {
+    lua_pushliteral(state_, "__gc");
+    require(lua_rawget(state_, -2) == LUA_TNIL, "a metatable in it has a finalizer");
+    lua_pop(state_, 1);
+  }
   lua_setmetatable(state_, index);
   for (;;) {
     value();

@@ -137,8 +137,12 @@ void visit_called(Heap& heap, A& a, std::shared_ptr<CalledLaw>& called) {
   if constexpr (A::reads) {
     is_new = number == a.known.size() + 1;
     require(is_new || number <= a.known.size(), "it names a law that is not in it");
-    if (!is_new) called = number == 0 ? nullptr : std::static_pointer_cast<CalledLaw>(a.known[number - 1]);
-    if (is_new) a.known.push_back(nullptr);
+    if (!is_new && number > 0) {
+      const Reader::Shared& shared = a.known[number - 1];
+      require(shared.thing && shared.type == typeid(CalledLaw), "it names something of another kind");
+      called = std::static_pointer_cast<CalledLaw>(shared.thing);
+    }
+    if (is_new) a.known.push_back({nullptr, typeid(CalledLaw)});
   }
   if (!is_new) return;
   const auto rest = [&](LawFunction f, int noises) {
@@ -149,9 +153,10 @@ void visit_called(Heap& heap, A& a, std::shared_ptr<CalledLaw>& called) {
     visit(a, f.exact);
     visit(a, noises);
     if constexpr (A::reads) {
+      require(f.count >= 1 && f.count <= 4 && noises >= 0 && noises < 256, "a law in it contradicts itself");
       called = std::make_shared<CalledLaw>(f);
       called->noises = noises;
-      a.known[number - 1] = called;
+      a.known[number - 1].thing = called;
     }
   };
   if constexpr (A::reads) {
@@ -166,7 +171,10 @@ template <class Heap, class A>
 void visit_resolved(Heap& heap, A& a, ResolvedLaw& law) {
   const std::size_t size = visit_size(a, law.laws.size());
   if constexpr (A::reads) law.laws.resize(size);
-  for (std::shared_ptr<const Law>& part : law.laws) pantin::visit_law(a, part);
+  for (std::shared_ptr<const Law>& part : law.laws) {
+    pantin::visit_law(a, part);
+    require(part != nullptr, "a law is missing");
+  }
   visit(a, law.values);
   visit(a, law.solve);
   visit_called(heap, a, law.function);

@@ -210,8 +210,15 @@ void read_kept_files_first(Script& script) {
   };
 }
 
+/// What was read may hold functions of the script: it goes before that does.
+struct SharedEnd {
+  Reader& from;
+  ~SharedEnd() { from.known.clear(); }
+};
+
 std::unique_ptr<Scene> scene_with(Reader& from, const SceneOptions& options) {
   auto scene = std::make_unique<ScriptScene>(options);
+  const SharedEnd end{from};
   Script& script = scene->script();
   script.runtime.run([&](lua_State* state) {
     open_globals(state, script);

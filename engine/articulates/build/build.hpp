@@ -16,6 +16,9 @@ using Articulates = std::vector<std::unique_ptr<Articulate>>;
 /// Those of `before`, which the model's `articulate` and `node` still name, hand their history on.
 std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing> things, const Articulates& before);
 
+/// Finds anew what follows from the nodes and rows of one that was read from a file. Throws Error where it contradicts itself.
+void lay_out_again(Articulate& articulate);
+
 /// Whether nothing of what its articulate holds of a thing has changed: its mass, and the rows that it is in.
 bool is_as_built(const Model& model, const Articulate& articulate, Thing thing);
 

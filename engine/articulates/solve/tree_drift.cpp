@@ -225,13 +225,15 @@ void forget_implicit_step(Articulate& a) {
 
 }  // namespace
 
+void find_tree(Articulate& a) {
+  a.as_tree = tree_of(a);
+  a.tree_sought = true;
+}
+
 bool drift_as_tree(Articulate& a, const DriftSettings& settings, double accuracy, TreeWorkspace& workspace,
                    DriftReport& report) {
   const bool goes_on = std::exchange(a.by_tree, false) && !a.edited;
-  if (!a.tree_sought) {
-    a.as_tree = tree_of(a);
-    a.tree_sought = true;
-  }
+  if (!a.tree_sought) find_tree(a);
   if (!a.as_tree || !only_gravity_acts(a, settings.gravity)) return false;
   const Tree& tree = *a.as_tree;
   const double h = settings.step * (settings.to - settings.from);

@@ -12,4 +12,7 @@ namespace pantin {
 bool drift_as_tree(Articulate& articulate, const DriftSettings& settings, double accuracy, TreeWorkspace& workspace,
                    DriftReport& report);
 
+/// Sets `as_tree`: null where it is no tree of hinges.
+void find_tree(Articulate& articulate);
+
 }  // namespace pantin
