@@ -150,6 +150,7 @@ TEST_CASE("patterns: repetition and tables do what the library does") {
         same("rep", s, n) same("rep", s, n, "") same("rep", s, n, ", ")
       end
     end
+    same("rep", "abc", 500000, "-") same("rep", ("x"):rep(1500000), 3, ", ")
     same("rep", "x", 1 << 62))lua");
   CHECK(word(R"lua(
     local t = { 1, 2, 3 }

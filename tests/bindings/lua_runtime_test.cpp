@@ -77,6 +77,18 @@ TEST_CASE("the limit counts a script's own processor time, not that of a busy ma
   watch.leave(previous);
 }
 
+TEST_CASE("a script that joins what never ends is stopped before its memory is full") {
+  auto roomy = options();
+  roomy.memory_limit = std::size_t{1} << 30;
+  roomy.script_limit = 0.2;
+  const char* endless = "table.concat(setmetatable({}, { __len = function() return 1 << 50 end, __index = type }))";
+  CHECK_THROWS_WITH(lua::open_scene_text(endless, "scene.lua", "", roomy), Contains("did not come back within 0.2 s"));
+  CHECK(failure(R"(assert(table.concat({}) == "" and table.concat({ 1, 2.5, "x" }, ", ") == "1, 2.5, x" and
+    table.concat({ 1, 2, 3 }, "-", 2) == "2-3" and table.concat({ 1, 2, 3 }, "-", 2, 2) == "2" and
+    table.concat({ [math.maxinteger] = 7 }, "-", math.maxinteger, math.maxinteger) == "7"))") == "");
+  CHECK(failure("table.concat({ 1, {} })") == "scene.lua:1: invalid value (at index 2) in table for 'concat'");
+}
+
 TEST_CASE("a script that was stopped in a callback can be stepped on") {
   const auto scene = open(
       "local bad = true scene:on('step', function() while bad do end end) "

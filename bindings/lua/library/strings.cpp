@@ -1,5 +1,6 @@
 // The part of Lua's string library that is made anew: what may take long asks the clock, and no address comes out.
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <string_view>
 
@@ -203,16 +204,18 @@ int repeat(lua_State* state) {
   if (n <= 0 || each == 0) return lua_pushliteral(state, ""), 1;
   const auto count = static_cast<std::size_t>(n);
   require(count <= std::size_t{std::numeric_limits<int>::max()} / each, "resulting string too large");
+  const std::size_t size = count * each - separator.size(), most = std::max(each, (std::size_t{1} << 20) / each * each);
   Interruptible loop;
   luaL_Buffer buffer;
-  char* to = luaL_buffinitsize(state, &buffer, count * each);
-  const auto add = [&to](std::string_view part) { to = std::copy(part.begin(), part.end(), to); };
-  for (std::size_t i = 0; i < count; i++) {
-    loop.count(1 + each / 256);
-    if (i > 0) add(separator);
-    add(s);
+  char* const to = luaL_buffinitsize(state, &buffer, count * each);
+  std::copy(separator.begin(), separator.end(), std::copy(s.begin(), s.end(), to));
+  for (std::size_t done = each; done < size;) {
+    const std::size_t more = std::min({done, size - done, most});
+    loop.count(1 + more / 256);
+    std::memcpy(to + done, to, more);
+    done += more;
   }
-  luaL_pushresultsize(&buffer, count * each - separator.size());
+  luaL_pushresultsize(&buffer, size);
   return 1;
 }
 

@@ -78,11 +78,36 @@ int move(lua_State* state) {
   return 1;
 }
 
+/// table.concat(list[, separator[, first[, last]]])
+int concat(lua_State* state) {
+  const lua_Integer size = length_of(state);
+  std::size_t length = 0;
+  const char* separator = luaL_optlstring(state, 2, "", &length);
+  const lua_Integer first = luaL_optinteger(state, 3, 1), last = luaL_optinteger(state, 4, size);
+  lua_settop(state, 4);
+  Interruptible loop;
+  luaL_Buffer buffer;
+  luaL_buffinit(state, &buffer);
+  for (lua_Integer i = first; i <= last; i++) {
+    loop.count();
+    lua_geti(state, list, i);
+    require(lua_isstring(state, -1) != 0, "invalid value (at index ", i, ") in table for 'concat'");
+    luaL_addvalue(&buffer);
+    if (i == last) break;  // which may be the largest number
+    luaL_addlstring(&buffer, separator, length);
+  }
+  luaL_pushresult(&buffer);
+  return 1;
+}
+
 }  // namespace
 
 void open_tables(lua_State* state) {
-  const luaL_Reg replaced[] = {
-      {"insert", guard<insert>}, {"remove", guard<remove>}, {"move", guard<move>}, {nullptr, nullptr}};
+  const luaL_Reg replaced[] = {{"insert", guard<insert>},
+                               {"remove", guard<remove>},
+                               {"move", guard<move>},
+                               {"concat", guard<concat>},
+                               {nullptr, nullptr}};
   lua_getglobal(state, "table");
   luaL_setfuncs(state, replaced, 0);
   lua_pop(state, 1);
