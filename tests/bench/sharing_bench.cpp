@@ -74,7 +74,8 @@ void bench_sweep(const player::BenchOptions&) {
 }
 
 const player::Register sweep_benchmark(
-    {"sharing", "the cost of sharing out cases of 10 ms, alone and under mpirun; two processes beside one", bench_sweep});
+    {"sharing", "the cost of sharing out cases of 10 ms, alone and under mpirun; two processes beside one",
+     bench_sweep});
 
 }  // namespace
 
