@@ -76,6 +76,7 @@ struct Placing {
   bool foreseen;          ///< its contact was: taken back as it was given
   Vec3 turned;            ///< [N m s] by how much it changed the angular momentum of both, where it was foreseen
   std::int32_t a, b;      ///< the bodies in their island; -1: the world
+  Vec3 core_a = zero3();  ///< [m] arm to what turns with a, then: of what is round not to its surface
 };
 
 /// What touch does around each drift, with a search of its own.

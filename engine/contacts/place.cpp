@@ -189,7 +189,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
       to.checks_drift = island.solved && problem.is_tied();
       if (norm2(to.place_impulse) == 0.0) continue;
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.place_impulse, to.place_moment, c.ra, c.rb, to.normal,
-                               to.foreseen, turned_by(island, to, c), c.a, c.b});
+                               to.foreseen, turned_by(island, to, c), c.a, c.b, c.ra + to.normal * to.round_a.radius});
     }
   });
   space.placed = islands.size();

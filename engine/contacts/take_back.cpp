@@ -89,8 +89,16 @@ class TakeBack {
         else
           island_.given.push_back(g);
       });
-      if (p.b < 0) carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.arm_a), p.impulse) * -1.0;
+      if (p.b < 0 && is_thin(p.a))
+        carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.core_a), p.impulse) * -1.0;
     }
+  }
+  /// Whether it turns about its length as good as without inertia.
+  bool is_thin(std::int32_t body) const {
+    constexpr double thin = 50.0;
+    const Vec3 inverse = island_.states[static_cast<std::size_t>(body)].inverse_inertia;
+    const auto [least, most] = std::minmax({inverse[0], inverse[1], inverse[2]});
+    return most > thin * least;
   }
   /// By how much its body's turn has carried the end of an arm of then.
   Vec3 carried(std::int32_t body, Vec3 arm) const {
