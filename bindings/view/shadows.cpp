@@ -37,7 +37,7 @@ bool Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const
                         double aspect) {
   level_ = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
   const Vec3 light = key_light();
-  region_ = find_shadow_region(vector(draw_list.lower), vector(draw_list.upper), level_,
+  region_ = find_shadow_region(vector(draw_list.lower), vector(draw_list.upper), static_cast<double>(level_),
                                {light[0] / light[1], light[2] / light[1]}, camera, aspect);
   if (region_.empty) return false;
   map_.bind();

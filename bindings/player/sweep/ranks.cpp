@@ -79,7 +79,8 @@ struct Ranks::Post {
   void send(const std::string& text, int rank, int tag) {
     constexpr std::size_t most = 2048;
     letters.remove_if([](Letter& letter) { return letter.has_come(); });
-    Letter& letter = letters.emplace_back(text, std::vector<MPI_Request>{});
+    letters.push_back({text, {}});
+    Letter& letter = letters.back();
     for (std::size_t from = 0; from == 0 || from < text.size(); from += most) {
       const std::size_t size = std::min(most, text.size() - from);
       MPI_Isend(letter.text.data() + from, static_cast<int>(size), MPI_CHAR, rank,
