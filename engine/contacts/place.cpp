@@ -89,7 +89,9 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double 
       gap -= from.restitution * std::max(0.0, -from.approach - gap);
     c.bias = to_frame(c, from.belt);
     c.bias[0] = gap;
-    c.bias += turning_apart(island, c, from, h);
+    const Vec3 turning = turning_apart(island, c, from, h);
+    c.bias += turning;
+    from.turning = std::fabs(turning[0]) * h;
     c.start = to_frame(c, from.place_impulse);
   }
 }
@@ -122,6 +124,37 @@ void hold_turning_ties(TouchIsland& island, double h) {
   forget_held(problem);
   forget_turning(problem);
   hold_ties(problem);
+}
+
+/// Takes turning as it is with the impulses found, where few contacts act and it takes one elsewhere: whether it does.
+bool turn_as_found(TouchIsland& island, const Contacts& contacts, double h) {
+  constexpr std::size_t few = 8;
+  constexpr double nothing = 1e-9;  // of the size
+  ContactIsland& problem = island.problem;
+  if (problem.is_tied() || problem.contacts.size() > few) return false;
+  const auto turning = [&](std::size_t k) {
+    return turning_apart(island, problem.contacts[k], contacts.list[island.contacts[k]], h);
+  };
+  const auto swap_free_and_found = [&] {
+    for (IslandBody& b : problem.bodies) {
+      std::swap(b.v0, b.v);
+      std::swap(b.w0, b.w);
+    }
+  };
+  std::array<Vec3, few> change;
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) change[k] = turning(k);
+  swap_free_and_found();
+  bool elsewhere = false;
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    change[k] = turning(k) - change[k];
+    elsewhere = elsewhere || norm(change[k]) * h > nothing * contacts.list[island.contacts[k]].size;
+  }
+  swap_free_and_found();
+  for (std::size_t k = 0; elsewhere && k < problem.contacts.size(); k++) {
+    problem.contacts[k].bias += change[k];
+    problem.contacts[k].start = problem.contacts[k].impulse;
+  }
+  return elsewhere;
 }
 
 /// Whether one turns so far in the drift that where it touches then says nothing of where it was given impulses.
@@ -177,7 +210,8 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
     start_ties(island, articulates, Pass::place);
     set_scalars(island, articulates, h, 0.5 * h);
     hold_turning_ties(island, h);
-    island.solved = solve_pass(contacts, island, Pass::place, settings.search, report) && !whirls(model, island, h);
+    const auto solve = [&] { return solve_pass(contacts, island, Pass::place, settings.search, report); };
+    island.solved = solve() && !whirls(model, island, h) && (!turn_as_found(island, contacts, h) || solve());
     keep_tie_impulses(articulates, island, Pass::place);
     keep_rolls(problem, contacts, island.contacts, &Contact::place_moment);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {

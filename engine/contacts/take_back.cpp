@@ -22,14 +22,17 @@ Vec3 turned_with(Vec3 from, Vec3 to, Vec3 impulse) {
   return cosine > 0.0 ? impulse + cross(axis, impulse) + cross(axis, cross(axis, impulse)) / (1.0 + cosine) : impulse;
 }
 
+constexpr double badly_foreseen = 0.05;  // of what turning moves it: to the next order of the drift
+
 /// (by number of what `place` gave) Contacts that touch still; null where they do not.
 std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<const TouchIsland> islands) {
   std::size_t count = 0;
   for (const TouchIsland& island : islands) count += island.placed.size();
   std::vector<const Contact*> now(count, nullptr);
-  for (const Contact& c : contacts.list)
-    if (c.place_index >= 0 && !c.from_before && c.gap <= closed_gap * c.size)
-      now[static_cast<std::size_t>(c.place_index)] = &c;
+  for (const Contact& c : contacts.list) {
+    const double open = closed_gap * c.size + (c.rebound == 0.0 ? badly_foreseen * c.turning : 0.0);
+    if (c.place_index >= 0 && !c.from_before && c.gap <= open) now[static_cast<std::size_t>(c.place_index)] = &c;
+  }
   return now;
 }
 

@@ -28,8 +28,8 @@ ShapeDef solid(Geometry geometry, double friction = 0.5) {
 
 const BoxShape unit_box = {vec(0.5, 0.5, 0.5)};
 
-ShapeId level_ground(World& world) {
-  ShapeDef def = solid(HalfSpaceShape{});
+ShapeId level_ground(World& world, double friction = 0.5) {
+  ShapeDef def = solid(HalfSpaceShape{}, friction);
   const double up = -M_PI / 4;
   def.orientation = Quat{std::cos(up), std::sin(up), 0, 0};
   return add_shape(world, def);
@@ -43,9 +43,9 @@ BodyId put(World& world, const ShapeDef& def, Vec3 at, double mass = 1.0) {
   return add_body(world, body);
 }
 
-std::vector<BodyId> pile_up(World& world, int count, Vec3 at = zero3()) {
+std::vector<BodyId> pile_up(World& world, int count, Vec3 at = zero3(), double friction = 0.5) {
   std::vector<BodyId> boxes;
-  for (int i = 0; i < count; i++) boxes.push_back(put(world, solid(unit_box), at + vec(0, 0.5 + i, 0)));
+  for (int i = 0; i < count; i++) boxes.push_back(put(world, solid(unit_box, friction), at + vec(0, 0.5 + i, 0)));
   return boxes;
 }
 
@@ -118,20 +118,22 @@ TEST_CASE("Sleep in touch: high stacks and a large pyramid fall asleep within 2 
 }
 
 TEST_CASE("Sleep in touch: what was asleep goes on as what was not") {
+  constexpr double rough =
+      3.0;  // where boxes slide, rigid bodies leave open which of several contacts carries how much
   World world, watched;
   std::vector<BodyId> tower;
   for (World* w : {&world, &watched}) {
-    level_ground(*w);
-    tower = pile_up(*w, 3);
+    level_ground(*w, rough);
+    tower = pile_up(*w, 3, zero3(), rough);
   }
-  while (world.time < 3.4) {  // what was not asleep moves by 1e-10; the heap makes more of it
+  while (world.time < 3.4) {  // what was not asleep moves by 1e-10
     if (world.steps == 3 * 240) {
       CHECK(all_asleep(world));
       for (World* w : {&world, &watched}) {
         BodyDef ball;
         ball.shapes = {solid(BallShape{0.5})};
         ball.mass = 1.0;
-        ball.at = vec(-1.5, 2.5, 0);
+        ball.at = vec(-1.5, 2.45, 0);
         ball.velocity = vec(5, 0, 0);
         add_body(*w, ball);
       }
@@ -142,8 +144,8 @@ TEST_CASE("Sleep in touch: what was asleep goes on as what was not") {
   }
   CHECK(norm(world.motion_of(tower[2]).p) > 0.1);
   for (const BodyId box : tower) {
-    CHECK(norm(world.motion_of(box).x - watched.motion_of(box).x) < 5e-5);
-    CHECK(norm(world.motion_of(box).p - watched.motion_of(box).p) < 1e-3);
+    CHECK(norm(world.motion_of(box).x - watched.motion_of(box).x) < 1e-8);
+    CHECK(norm(world.motion_of(box).p - watched.motion_of(box).p) < 1e-8);
   }
 }
 

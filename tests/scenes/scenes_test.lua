@@ -163,7 +163,7 @@ test("ragdolls: figures come down the stairs, and their hinges hold", function()
 end)
 
 test("dig: the shovel brings stones out of the bin", function()
-  local dig = open("scenes/dig.lua", { count = 100 })
+  local dig = open("scenes/dig.lua")
   dig:advance(12)
   expect(dig:read "dug out"):above(1)
 end)

@@ -80,7 +80,7 @@ test("tablecloth: it lies on what it fell on, its threads keep their length to 1
 end)
 
 test("brook: drops run over the bed and not through it, and the wheel turns with them", function()
-  local brook = open("scenes/brook.lua", { flow = 100 })
+  local brook = open("scenes/brook.lua", { flow = 140 })
   brook:advance(5)
   expect(brook:read "spin of the wheel"):above(0.2)
   expect(brook:read "drops"):above(300)
