@@ -58,6 +58,21 @@ struct Played {
     pushed::button(false, x1, y1);
     frames(2);
   }
+  /// Steps of a scene that is paused.
+  void steps(int n) {
+    for (int i = 0; i < n; i++) {
+      pushed::tap(SDLK_PERIOD);
+      frames(1);
+    }
+  }
+  void with_control(SDL_Keycode key, bool shift = false) {
+    pushed::key(SDLK_LCTRL);
+    if (shift) pushed::key(SDLK_LSHIFT);
+    pushed::tap(key);
+    if (shift) pushed::key(SDLK_LSHIFT, false);
+    pushed::key(SDLK_LCTRL, false);
+    frames(1);
+  }
   /// Saves the scene, whose title becomes "saved", and waits until it goes on with that.
   void save(const std::string& text) {
     const std::string path = folder / "scene.lua";

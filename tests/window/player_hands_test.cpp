@@ -73,18 +73,6 @@ struct Workshop : Played {
     for (int i = 0; i <= variant; i++) pushed::tap(key);
     frames(2);
   }
-  void with_control(SDL_Keycode key) {
-    pushed::key(SDLK_LCTRL);
-    pushed::tap(key);
-    pushed::key(SDLK_LCTRL, false);
-    frames(1);
-  }
-  void steps(int n) {
-    for (int i = 0; i < n; i++) {
-      pushed::tap(SDLK_PERIOD);
-      frames(1);
-    }
-  }
   /// A box, a wheel on it, and a motor in that.
   void build_cart() {
     take(SDLK_8, 2);

@@ -33,12 +33,6 @@ struct Recorded : PlayedChain {
     pushed::tap(key);
     frames(2);
   }
-  void with_control(SDL_Keycode key) {
-    pushed::key(SDLK_LCTRL);
-    tap(key);
-    pushed::key(SDLK_LCTRL, false);
-    frames(1);
-  }
   /// Uses a tool from one position to another.
   void use(SDL_Keycode tool, Vec3 from, Vec3 to) {
     tap(tool);

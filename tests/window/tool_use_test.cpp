@@ -70,18 +70,6 @@ struct ToolBench : Played {
     pushed::button(false, at.x, at.y);
     frames(1);
   }
-  void steps(int n) {
-    for (int i = 0; i < n; i++) {
-      pushed::tap(SDLK_PERIOD);
-      frames(1);
-    }
-  }
-  void with_control(SDL_Keycode key) {
-    pushed::key(SDLK_LCTRL);
-    pushed::tap(key);
-    pushed::key(SDLK_LCTRL, false);
-    frames(1);
-  }
   /// A state is as it was, and has what it had.
   struct State {
     std::uint64_t hash;

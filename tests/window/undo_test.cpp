@@ -23,20 +23,6 @@ struct Session : PlayedChain {
     options.paused = true;
     return options;
   }
-  void steps(int n) {
-    for (int i = 0; i < n; i++) {
-      pushed::tap(SDLK_PERIOD);
-      frames(1);
-    }
-  }
-  void with_control(SDL_Keycode key, bool shift = false) {
-    pushed::key(SDLK_LCTRL);
-    if (shift) pushed::key(SDLK_LSHIFT);
-    pushed::tap(key);
-    if (shift) pushed::key(SDLK_LSHIFT, false);
-    pushed::key(SDLK_LCTRL, false);
-    frames(1);
-  }
   /// Cuts the third hinge with the tool.
   void cut() {
     const Projected at = seen(position(world(), hinges(world())[2]));
