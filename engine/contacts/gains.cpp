@@ -1,34 +1,97 @@
 #include "contacts/gains.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/sets.hpp"
+#include "contacts/bodies.hpp"
 
 namespace pantin {
 
-double gains(const Model& model, std::span<const TouchIsland> placed, std::span<const TouchIsland> met,
-             std::span<const WorkOnThing> beside) {
-  std::vector<std::size_t> owner(model.bodies.slots() + (model.solids ? model.points.slots() : 0), 0);  // 0: none
+namespace {
+
+/// Islands before and after the drift that share a thing: 1 … in the order of both; 0 stands for what is in none.
+struct Joined {
   std::vector<const TouchIsland*> islands = {nullptr};
-  for (const std::span<const TouchIsland> some : {placed, met})
-    for (const TouchIsland& island : some) islands.push_back(&island);
-  Sets sets(islands.size());
-  for (std::size_t i = 1; i < islands.size(); i++)
-    for (const std::uint32_t thing : islands[i]->things) {
-      const std::size_t number = number_of(model, thing);
-      if (number >= owner.size()) continue;
-      if (owner[number] != 0) sets.join(owner[number], i);
-      owner[number] = i;
-    }
-  std::vector<double> work(islands.size(), 0.0), belts(islands.size(), 0.0);
-  for (std::size_t i = 1; i < islands.size(); i++) {
-    const bool is_placed = i <= placed.size();
-    work[sets.find(i)] += islands[i]->report.work + (is_placed ? islands[i]->placed_work : 0.0);
-    belts[sets.find(i)] += is_placed ? 0.0 : islands[i]->report.belts;
+  std::vector<std::size_t> owner;  // (things, by number)
+  Sets sets;
+
+  Joined(const Model& model, std::span<const TouchIsland> placed, std::span<const TouchIsland> met)
+      : owner(model.bodies.slots() + (model.solids ? model.points.slots() : 0), 0),
+        sets(placed.size() + met.size() + 1) {
+    for (const std::span<const TouchIsland> some : {placed, met})
+      for (const TouchIsland& island : some) islands.push_back(&island);
+    for (std::size_t i = 1; i < islands.size(); i++)
+      for (const std::uint32_t thing : islands[i]->things) {
+        const std::size_t number = number_of(model, thing);
+        if (number >= owner.size()) continue;
+        if (owner[number] != 0) sets.join(owner[number], i);
+        owner[number] = i;
+      }
   }
-  for (const auto& [thing, by] : beside) work[sets.find(owner[thing])] += by;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < work.size(); i++) sum += std::max(0.0, work[i] - std::max(0.0, belts[i]));
+};
+
+/// Of islands that are joined, whether any of them is this.
+struct Traits {
+  bool missed = false, tied = false, stands = false, rebounds = false;
+
+  void add(const TouchIsland& island) {
+    missed = missed || island.missed;
+    tied = tied || island.problem.is_tied() || !island.articulates.empty();
+    for (const IslandContact& c : island.problem.contacts) {
+      stands = stands || c.b < 0;
+      rebounds = rebounds || c.restitution > 0.0;
+    }
+  }
+  bool may_slow() const { return missed && stands && !tied && !rebounds; }
+};
+
+/// Slows all of these down alike, by so much energy [J] or to a stop. Returns what it took.
+double slow_down(Model& model, const Articulates& articulates, const std::vector<std::uint32_t>& things, double by,
+                 bool drifted) {
+  double kinetic = 0.0;
+  for (const std::uint32_t thing : things)
+    kinetic += kinetic_energy(model, state_of(model, articulates, thing, drifted), thing);
+  if (!(kinetic > 0.0)) return 0.0;
+  const double taken = std::min(by, kinetic), less = std::sqrt(1.0 - taken / kinetic) - 1.0;
+  for (const std::uint32_t thing : things) {
+    const BodyState s = state_of(model, articulates, thing, drifted);
+    add_momenta(model, s, thing, s.v * (s.mass * less), s.R * (s.inertia * transposed_times(s.R, s.w)) * less);
+  }
+  return taken;
+}
+
+}  // namespace
+
+Gains settle_gains(Model& model, const Articulates& articulates, std::span<const TouchIsland> placed,
+                   std::span<const TouchIsland> met, std::span<const WorkOnThing> beside, bool drifted) {
+  Joined joined(model, placed, met);
+  const std::size_t count = joined.islands.size();
+  std::vector<double> work(count, 0.0), belts(count, 0.0);
+  for (std::size_t i = 1; i < count; i++) {
+    const bool is_placed = i <= placed.size();
+    const TouchIsland& island = *joined.islands[i];
+    work[joined.sets.find(i)] += island.report.work + (is_placed ? island.placed_work : 0.0);
+    belts[joined.sets.find(i)] += is_placed ? 0.0 : island.report.belts;
+  }
+  for (const auto& [thing, by] : beside) work[joined.sets.find(joined.owner[thing])] += by;
+  Gains sum;
+  std::vector<Traits> traits(count);
+  std::vector<std::vector<std::uint32_t>> slowed(count);
+  for (std::size_t i = 1; i < count; i++) traits[joined.sets.find(i)].add(*joined.islands[i]);
+  const auto gain = [&](std::size_t i) { return std::max(0.0, work[i] - std::max(0.0, belts[i])); };
+  for (std::size_t i = 1; i < count; i++) {
+    const std::size_t set = joined.sets.find(i);
+    const std::vector<std::uint32_t>& things = joined.islands[i]->things;
+    if (gain(set) > 0.0 && traits[set].may_slow()) slowed[set].insert(slowed[set].end(), things.begin(), things.end());
+  }
+  for (std::size_t i = 0; i < count; i++) {
+    sum.wrong += gain(i);
+    if (slowed[i].empty()) continue;
+    std::sort(slowed[i].begin(), slowed[i].end());
+    slowed[i].erase(std::unique(slowed[i].begin(), slowed[i].end()), slowed[i].end());
+    sum.taken_back += slow_down(model, articulates, slowed[i], gain(i), drifted);
+  }
   return sum;
 }
 

@@ -46,6 +46,7 @@ struct TouchIsland {
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<Placing> placed;                     ///< what `place` gave in it
   std::size_t first_placed = 0;                    ///< number of the first of that in the pass
+  bool missed = false;                             ///< the law, by more than 100 tolerances
   bool solved = false;  ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now
   std::vector<BodyImpulse> given;  ///< what bodies got of that, and of ties, that is taken back as it was given
   std::vector<TouchScalar> held;   ///< what scalars within bounds gave in `place`

@@ -108,8 +108,21 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   }
 }
 
+bool is_round(const Geometry& shape) {
+  return std::holds_alternative<BallShape>(shape) || std::holds_alternative<CapsuleShape>(shape) ||
+         std::holds_alternative<CylinderShape>(shape);
+}
+
+/// Whether a motion that goes so far past the planes of points [m] ends beside b all the same.
+bool ends_beside(const Pair& pair, const Travel& motion, double past) {
+  SeparationCache cache;
+  const double left = separation(pair.a, moved(pair.at_a, motion, 1.0), pair.b, pair.at_b, infinity, &cache).distance;
+  return left >= -closed_gap * pair.thickness && left + past > no_approach * pair.thickness;
+}
+
 /// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
-/// only passes by. One that goes hardly past is tried as if something pressed.
+/// only passes by. One that goes hardly past is tried as if something pressed; of what is round it has the points of where it
+/// ends, if that is beside b.
 void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
   const double farthest = norm(motion.displacement) + norm(motion.turn) * reach_of(pair.a);
   if (!(farthest > no_approach * pair.thickness)) return;
@@ -126,7 +139,11 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
   motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
   if (norm(motion.turn) > most_turn) return;
   const double deep = 2.0 * pair.overlap();
-  if (most < deep) motion.displacement -= normal * (deep - most);
+  if (most < deep) {
+    if ((is_round(pair.a) || is_round(pair.b)) && ends_beside(pair, motion, most))
+      return set_points_there(pair, motion, 1.0, manifold);
+    motion.displacement -= normal * (deep - most);
+  }
   const std::optional<Meeting> meeting = first_meeting(pair, motion);
   if (!meeting) {
     manifold.count = 0;

@@ -171,7 +171,10 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     heat.add(work);
   });
   const std::vector<WorkOnThing> beside = answer_where_nothing_touches(model, articulates, islands, settings, sum);
-  sum.wrong = gains(model, std::span(space.placing).first(space.placed), islands, beside);
+  const Gains gains =
+      settle_gains(model, articulates, std::span(space.placing).first(space.placed), islands, beside, settings.drifted);
+  sum.wrong = gains.wrong;
+  sum.taken_back = gains.taken_back;
   space.placed = 0;
   collect_heat(contacts, islands);
   hold_again(articulates);

@@ -14,6 +14,7 @@ void TouchReport::operator+=(const TouchReport& more) {
   work += more.work;
   belts += more.belts;
   wrong += more.wrong;
+  taken_back += more.taken_back;
   gravity += more.gravity;
   beside_falls += more.beside_falls;
   ties += more.ties;
@@ -157,7 +158,8 @@ bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearc
     body.failures[number(pass)] = failures;
     body.wait[number(pass)] = wait;
   });
-  return found.residual <= exact_enough * island.problem.tolerance && is_even(island.problem);
+  island.missed = found.residual > exact_enough * island.problem.tolerance;
+  return !island.missed && is_even(island.problem);
 }
 
 }  // namespace pantin

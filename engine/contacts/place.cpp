@@ -131,7 +131,7 @@ bool turn_as_found(TouchIsland& island, const Contacts& contacts, double h) {
   constexpr std::size_t few = 8;
   constexpr double nothing = 1e-9;  // of the size
   ContactIsland& problem = island.problem;
-  if (problem.is_tied() || problem.contacts.size() > few) return false;
+  if (problem.is_tied() || problem.bodies.size() > 1 || problem.contacts.size() > few) return false;
   const auto turning = [&](std::size_t k) {
     return turning_apart(island, problem.contacts[k], contacts.list[island.contacts[k]], h);
   };

@@ -119,7 +119,7 @@ void count(World& world, const TouchReport& report) {
 void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, world.contacts.work + report.work - report.wrong);
   DriftReport told;
-  told.unsolved = report.wrong;
+  told.unsolved = report.wrong - report.taken_back;
   post_report(world, told);
   if (world.contacts.heat_kept) settle_heat(world, world.contacts, report.wrong);
 }

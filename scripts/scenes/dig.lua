@@ -9,7 +9,7 @@ scene.camera = { at = vec(2.6, 3.2, 4.6), look_at = vec(0.5, 0.4, 0) }
 scene:floor { height = -0.1, color = "#cdd5c6" }
 
 -- A bin without a lid.
-local long, wide, high, thick = 2.4, 0.9, 0.6, 0.1
+local long, wide, high, thick = 2.4, 0.74, 0.6, 0.1
 local function board(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction }) end
 scene:ground { color = "#8d7a63", shapes = {
   board(long, thick, wide, vec(0, -thick / 2, 0)),
@@ -27,7 +27,7 @@ for i = 1, count do
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
     or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
   stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)),
-                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 40), 0.2 * (i // 10 % 4) - 0.3) }
+                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 40), 0.18 * (i // 10 % 4) - 0.27) }
 end
 
 -- The shovel: a plate with a back and two sides, held at its handle.
@@ -39,7 +39,7 @@ local shovel = scene:body {
   points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
 }
 -- Its handle is led from place to place, a second and a half from each to the next, and tipped: x and y [m], angle [rad].
-local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.3, -0.3 }, { 0.3, 0.32, 0 }, { 0.45, 0.6, 0.8 },
+local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.46, -0.25 }, { 0.42, 0.46, -0.25 }, { 0.45, 0.75, 0.8 },
                 { 0.5, 1.5, 0.7 }, { 1.7, 1.5, 0.7 }, { 1.7, 1.5, -1.5 }, { 0.3, 1.8, -0.6 } }
 local function led(k)
   return function(t)

@@ -87,3 +87,28 @@ test("matches that fall on a floor at 60 Hz gain no more than a part of their en
     end
   end
 end)
+
+for _, what in ipairs { "ball", "cylinder", "capsule" } do
+  test("a " .. what .. " that rolls over flush boxes goes on at its height and speed", function()
+    for _, rate in ipairs { 60, 240 } do
+      for _, speed in ipairs { 0.4, 0.5, 0.7, 1, 1.6, 3 } do
+        local scene = open_text(([[
+          scene.step = 1 / %d
+          local speed, what, radius = %g, %q, 0.2
+          for i = 0, 10 do
+            scene:ground { shape = shape.box { size = vec(0.37, 1, 4), at = vec(-0.3 + i * 0.37, -0.5, 0), friction = 0.6 } }
+          end
+          scene:body { name = "it", mass = 1, shape = shape[what] { radius = radius, length = what ~= "ball" and 0.5 or nil, friction = 0.6 },
+            at = vec(0, radius, 0), velocity = vec(speed, 0, 0), spin = vec(0, 0, -speed / radius), orientation = quat(vec(1, 0, 0), math.pi / 2) }
+        ]]):format(rate, speed, what))
+        local it, off = scene:find "it", 0
+        while it.position.x < 3 do
+          scene:step()
+          off = math.max(off, math.abs(it.position.y - 0.2))
+        end
+        expect(off):below(5e-6)
+        expect(1 - it.velocity.x / speed):below(1e-3)
+      end
+    end
+  end)
+end
