@@ -1,6 +1,7 @@
 // `pantin sweep`: cases, table, journal, and processes that die.
 #include "player/sweep/sweep.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -44,6 +45,21 @@ std::vector<std::string> rows_of(const std::string& table) {
   std::istringstream in(table);
   for (std::string row; std::getline(in, row);) rows.push_back(row);
   return rows;
+}
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  std::istringstream in(row);
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+std::vector<int> children_of(int process) {
+  const std::string id = std::to_string(process);
+  std::istringstream in(read_file("/proc/" + id + "/task/" + id + "/children"));
+  std::vector<int> all;
+  for (int child = 0; in >> child;) all.push_back(child);
+  return all;
 }
 
 /// A sweep in a folder that has the pendulum, into t.csv.
@@ -137,6 +153,7 @@ TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothin
   refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");
   refused({"--set", "length=1:11:3"}, "length must be at most 10, got 11");
   refused({"--set", "length=0.05,1"}, "length must be at least 0.1, got 0.05");
+  refused({"--set", "scene.stepp=0.01:0.02:3"}, "Did you mean 'step'?");
 }
 
 TEST_CASE("sweep: a state, whose parameters are set, is refused") {
@@ -279,6 +296,31 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
   CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
 }
 
+TEST_CASE("sweep: where a rank loses the process that runs its cases all end, and the same command goes on") {
+  if (!have_program("mpirun")) return;
+  Folder folder, whole;
+  write_file(folder / "slow.lua", "for i = 1, scene:param('n', 1) * 2e6 do math.sqrt(i) end");
+  std::vector<std::string> sweep = {"sweep", "slow.lua", "--set", "n=1:40:40", "--until", "0.1", "--out", "t.csv"};
+  Process::Options started = options(sweep, folder.path);
+  started.arguments.insert(started.arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2"});
+  started.environment.insert(started.environment.end(),
+                             {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  Process run(started);
+  std::vector<int> runners;
+  for (int i = 0; i < 200 && runners.empty() && !run.wait(0.05); i++)
+    for (const int rank : children_of(run.id()))
+      for (const int foreman : children_of(rank))
+        if (!children_of(foreman).empty()) runners.push_back(foreman);
+  if (runners.empty()) return;  // built without MPI
+  for (const int runner : runners) kill(runner, SIGKILL);
+  CHECK(run.wait(60.0).value_or(0) != 0);
+  CHECK_THAT(run.err(), Contains("the process that runs cases is gone: the same command goes on"));
+  CHECK(use(folder, sweep).code == 0);
+  write_file(whole / "slow.lua", read_file(folder / "slow.lua"));
+  CHECK(use(whole, sweep).code == 0);
+  CHECK(read_file(folder / "t.csv") == read_file(whole / "t.csv"));
+}
+
 TEST_CASE("sweep: processes that srun starts without MPI are told, and none runs all cases for itself") {
   Folder folder;
   write_file(folder / "pendulum.lua", pendulum);
@@ -363,6 +405,11 @@ TEST_CASE("sweep: a case that does not come back, or takes all memory, is stoppe
   CHECK_THAT(rows.at(2), Contains("did not come back within 0.5 s"));
   CHECK_THAT(rows.at(3), Contains("did not come back within 0.5 s"));
   CHECK_THAT(rows.at(4), Contains("memory") || Contains("did not come back"));
+  const std::vector<std::string> ran = cells_of(rows.at(1)), stopped = cells_of(rows.at(3));
+  const std::vector<std::string> names = cells_of(rows.at(0));
+  const auto hash = static_cast<std::size_t>(std::find(names.begin(), names.end(), "hash") - names.begin());
+  CHECK(ran.at(hash).size() == 16);
+  CHECK(stopped.at(hash).empty());
 }
 
 TEST_CASE("sweep: a file that is changed while it runs or is stopped, though few cases read it, stops it") {

@@ -39,6 +39,7 @@ class Process {
   /// The exit code (128 + signal), or nothing if it still runs after `seconds`.
   std::optional<int> wait(double seconds);
   void signal(int number);
+  int id() const { return id_; }
   std::string out() const { return read_file(folder_ / "out"); }
   std::string err() const { return read_file(folder_ / "err"); }
 

@@ -339,6 +339,10 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
       "after\n",
       version.name.c_str(), ranks, static_cast<unsigned long long>(given.task.steps), listener.seconds(),
       1e-6 * done / std::max(listener.seconds(), 1e-9), listener.first(), listener.last());
+  if (world.settings.box && norm(world.settings.gravity) > 0.0)
+    std::printf(
+        "that has a jump by m g L where a particle crosses the periodic box along gravity: fix gravity of LAMMPS "
+        "does not count how often\n");
   std::printf("%g s: %s (pantin play %s); its files and log are in %s\n", given.until, out.c_str(), out.c_str(),
               folder.c_str());
   return 0;

@@ -45,7 +45,10 @@ std::optional<double> bound_of(const Json& json) {
 SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, const SceneOptions& limits) {
   SceneOptions first = limits;
   for (const Axis& axis : axes)
-    if (!axis.values.empty() || axis.whole) first.set[axis.name] = axis.value(0);
+    if (!axis.values.empty() || axis.whole)
+      first.set[axis.name] = axis.value(0);
+    else if (axis.name.starts_with("scene."))
+      first.set[axis.name] = number_text(axis.from);
   SceneLook look;
   for (const SceneOptions& tried : {first, limits}) try {
       const auto scene = lua::open_scene(path, tried);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <list>
 #include <thread>
@@ -149,8 +150,12 @@ bool Ranks::hand_out(const std::function<std::optional<std::string>()>& next,
 }
 
 void Ranks::serve(const std::function<std::string(const std::string&)>& work) {
-  for (MPI_Status status; wait_for_message(0, status) && status.MPI_TAG != end_tag;)
-    post_->send(work(receive(status)), 0, result_tag);
+  for (MPI_Status status; wait_for_message(0, status) && status.MPI_TAG != end_tag;) try {
+      post_->send(work(receive(status)), 0, result_tag);
+    } catch (const Interrupted&) { throw; } catch (const Error& error) {  // the first rank would wait for it for ever
+      std::fprintf(stderr, "pantin: %s: the same command goes on\n", error.what());
+      MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+    }
 }
 
 #else

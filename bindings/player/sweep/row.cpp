@@ -47,7 +47,7 @@ void tell_probe(Cells& cells, const Probe& probe) {
   cells.emplace_back(probe.name + " largest", number_text(largest));
 }
 
-void tell_scene(CaseRow& row, const Scene& scene) {
+void tell_scene(CaseRow& row, const Scene& scene, const std::string& failure) {
   const World& world = scene.world();
   for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, result_cell(value));
   for (const Probe& probe : world.probes) tell_probe(row.told, probe);
@@ -62,8 +62,10 @@ void tell_scene(CaseRow& row, const Scene& scene) {
                   {"iterations", std::to_string(stats.newton_iterations + stats.contact_iterations)},
                   {"halved_steps", std::to_string(stats.halved_steps)},
                   {"fallback_steps", std::to_string(stats.fallback_steps)},
-                  {"factorisations", std::to_string(stats.factorisations)},
-                  {"hash", hex_text(state_hash(world))}};
+                  {"factorisations", std::to_string(stats.factorisations)}};
+  // A failed case ends where a limit met it: amid a step, each time elsewhere.
+  row.measured.push_back(failure.empty() ? std::pair("hash", hex_text(state_hash(world)))
+                                         : std::pair("error", failure));
 }
 
 void add_names(std::vector<std::string>& names, const Cells& cells) {
@@ -107,8 +109,7 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
     try {
       run_to_end(*scene, options, until);
     } catch (const Error& error) { failure = error.what(); }
-    tell_scene(row, *scene);
-    if (!failure.empty()) row.measured.emplace_back("error", failure);
+    tell_scene(row, *scene, failure);
   } catch (const std::exception& error) { row.measured.emplace_back("error", error.what()); }
   if (timed) row.measured.emplace_back("seconds", number_text(processor_time() - start));
   return row;
