@@ -299,8 +299,8 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
 TEST_CASE("sweep: where a rank loses the process that runs its cases all end, and the same command goes on") {
   if (!have_program("mpirun")) return;
   Folder folder, whole;
-  write_file(folder / "slow.lua", "for i = 1, scene:param('n', 1) * 2e6 do math.sqrt(i) end");
-  std::vector<std::string> sweep = {"sweep", "slow.lua", "--set", "n=1:40:40", "--until", "0.1", "--out", "t.csv"};
+  write_file(folder / "slow.lua", "for i = 1, scene:param('n', 1) * 3e6 do math.sqrt(i) end");
+  std::vector<std::string> sweep = {"sweep", "slow.lua", "--set", "n=1:10:10", "--until", "0.1", "--out", "t.csv"};
   Process::Options started = options(sweep, folder.path);
   started.arguments.insert(started.arguments.begin(), {"mpirun", "--oversubscribe", "-n", "2"});
   started.environment.insert(started.environment.end(),
