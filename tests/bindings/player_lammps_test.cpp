@@ -448,6 +448,18 @@ TEST_CASE("lammps: springs of no length go through it") {
                "1", "3");
 }
 
+TEST_CASE("lammps: a spring may stretch to several times its length, by one process and by two") {
+  if (!have_lammps()) return;
+  for (const char* ranks : {"1", "2"})
+    total_energy(R"(
+      scene.step, scene.gravity, scene.box = 0.01, vec(0, 0, 0), vec(10, 10, 10)
+      local heavy = scene:particle { mass = 100, at = vec(9.95, 5, 5) }
+      local light = scene:particle { mass = 1, at = vec(10.95, 5, 5), velocity = vec(6, 0, 0) }
+      scene:connect(heavy, light, force.spring { stiffness = 4 })
+    )",
+                 ranks, "2");
+}
+
 TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it does here") {
   if (!have_lammps()) return;
   const auto [source, steps] = GENERATE(table<const char*, const char*>({{melt, "100"}, {bodies, "80"}}));

@@ -329,16 +329,22 @@ std::string script_text(const World& world, const LammpsSystem& system, const La
   double reach = 0.0;
   for (const LammpsTable& t : system.pair_tables) reach = std::max(reach, t.table.to());
   const double skin = 0.12 * std::max({reach, system.longest_bond, system.nearest});
-  const double ghosts = std::max({reach, 1.5 * system.longest_bond, 2.0 * system.body_extent}) + 2.0 * skin;
+  double ghosts = std::max(reach, 2.0 * system.body_extent);
+  for (const LammpsTable& t : system.bond_tables) ghosts = std::max(ghosts, t.table.to());
   const char* const side = world.settings.box ? "p" : "m";
   std::string out = header_text(world, system, task, lepton);
-  out += text("\nvariable steps index ", task.steps, "\nvariable every index ", task.every,
-              "\nvariable restart index 0\nvariable laws index tables\nvariable check index no\n\n");
+  out += text(
+      "\nvariable steps index ", task.steps, "\nvariable every index ", task.every,
+      "\nvariable restart index 0\nvariable laws index tables\nvariable check index no\n",
+      "# How far processes know the atoms of others: as far as laws act and bonds may stretch. Where bonds stay short, "
+      "many\n# processes are faster with less, -var ghosts 3; a bond that gets longer ends the run.\nvariable ghosts "
+      "index ",
+      ghosts + 2.0 * skin, "\n\n");
   out += text("units lj\nboundary ", side, ' ', side, ' ', side, "\natom_style ",
               has_molecules(system) ? "bond" : "atomic",
               "\natom_modify map array\nread_data scene.data\ninclude laws.${laws}\n");
   out += text("neighbor ", skin,
-              " bin\nneigh_modify every 1 delay 0 check yes one 10000 page 1000000\ncomm_modify cutoff ", ghosts, "\n");
+              " bin\nneigh_modify every 1 delay 0 check yes one 10000 page 1000000\ncomm_modify cutoff ${ghosts}\n");
   if (!system.bodies.empty()) out += "group bodies molecule > 0\nneigh_modify exclude molecule/intra bodies\n";
   out += text("timestep ", world.settings.step, "\nthermo_style custom step pe ke etotal temp\n",
               "thermo_modify norm no flush yes format float %.15g\n",

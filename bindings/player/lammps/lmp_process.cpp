@@ -162,10 +162,12 @@ class LastLines {
 std::string remedy_for(const std::string& error) {
   constexpr std::pair<const char*, const char*> known[] = {
       {"inner cutoff",
-       "; two particles came nearer than their table begins: the step is too long, or they begin too near"},
+       "; two particles came nearer than their table begins, which in.scene tells: the step is too long, or the law "
+       "too weak to keep them apart"},
       {"outer cutoff",
-       "; a bond became longer than its table: the step is too long, or the bond longer than half the box"},
-      {"Bond atoms", "; a bond became longer than what processes tell each other: the step is too long"},
+       "; a bond became longer than its table, which in.scene tells: the step is too long, or the bond gets many times "
+       "as long as now, or longer than half the box"},
+      {"Bond atoms", "; a bond became longer within one step than processes know of each other: the step is too long"},
       {"Lost atoms", "; particles flew away: the step is too long"},
       {"out of range", "; particles flew away: the step is too long"},
       {"Too many", "; particles are too far apart for its cells: take away what flew off, or give the scene a box"},
