@@ -448,6 +448,18 @@ TEST_CASE("lammps: springs of no length go through it") {
                "1", "3");
 }
 
+TEST_CASE("lammps: particles of a soft law may go through each other") {
+  if (!have_lammps()) return;
+  total_energy(R"(
+    scene.step, scene.gravity, scene.box = 0.001, vec(0, 0, 0), vec(12, 12, 12)
+    local f = scene:family("f")
+    scene:particle { at = vec(5, 5, 5), family = f }
+    scene:particle { at = vec(7, 5.0005, 5), family = f, velocity = vec(-4, 0, 0) }
+    scene:interact(f, f, force.pair { cutoff = 3, potential = function(r) return math.exp(-r * r) end })
+  )",
+               "1", "1");
+}
+
 TEST_CASE("lammps: a spring may stretch to several times its length, by one process and by two") {
   if (!have_lammps()) return;
   for (const char* ranks : {"1", "2"})

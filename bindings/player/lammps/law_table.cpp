@@ -250,9 +250,17 @@ class TableMaker {
   double beginning() const {
     double r = nearest_;
     while (r > 0.01 * nearest_ && !is_far(r * 0.97)) r *= 0.97;
-    // LAMMPS follows a bond's table from there down to nothing.
     const double almost_none = 1e-6 * nearest_;
-    return r <= 0.01 * nearest_ && wish_.over == TableOver::distance && !is_far(almost_none) ? almost_none : r;
+    return r <= 0.01 * nearest_ && goes_down_to(almost_none, r) ? almost_none : r;
+  }
+
+  /// LAMMPS follows a bond's table from its beginning down to nothing, and ends a run for a pair that is nearer. That of pairs
+  /// has force / distance.
+  bool goes_down_to(double almost_none, double r) const {
+    if (is_far(almost_none)) return false;
+    if (wish_.over == TableOver::distance) return true;
+    const double near = std::abs(law_.at(std::span(&almost_none, 1))[0].force) / almost_none;
+    return near <= 2.0 * std::abs(law_.at(std::span(&r, 1))[0].force) / r;
   }
 
   /// The same of a bond's other end.
