@@ -1,5 +1,7 @@
 #include "contacts/features.hpp"
 
+#include <cmath>
+
 namespace pantin {
 
 namespace {
@@ -8,8 +10,11 @@ namespace {
 constexpr double better_face = 1e-6;
 constexpr std::uint32_t most_corners = 64;
 
-/// Points on the rim of a cap: cosines of sixteenths of a turn.
-constexpr std::uint32_t rim_corners = 16;
+/// Points on the rim of a cap: sixteenths of a turn, of which the one that is nearest to where a tilted rim lies farthest gives
+/// way to that.
+constexpr std::uint32_t rim_corners = 16, farthest_of_rim = 16;
+/// Sine of the tilt above which one point of a rim lies farthest.
+constexpr double least_tilt = 1e-7;
 constexpr std::array<double, 5> cosines = {1.0, 0.9238795325112867, 0.7071067811865476, 0.3826834323650898, 0.0};
 
 double cosine_of_sixteenths(std::uint32_t i) {
@@ -89,8 +94,20 @@ void cylinder_feature(double radius, double half, const Pose& pose, Vec3 along, 
   feature.centre = pose.x + feature.normal * half;
   feature.loop.count = 0;
   feature.loop.closed = true;
+  const double across = std::hypot(local[0], local[1]);
+  const double cosine = across > least_tilt ? local[0] / across : 0.0,
+               sine = across > least_tilt ? (up ? local[1] : -local[1]) / across : 0.0;
+  const auto along_rim = [&](std::uint32_t i) {
+    return cosine * cosine_of_sixteenths(i) + sine * cosine_of_sixteenths(i + 12);
+  };
+  std::uint32_t farthest = 0;
+  for (std::uint32_t i = 1; i < rim_corners; i++)
+    if (along_rim(i) > along_rim(farthest)) farthest = i;
   for (std::uint32_t i = 0; i < rim_corners; i++)
-    feature.loop.add({feature.centre + x * cosine_of_sixteenths(i) + y * cosine_of_sixteenths(i + 12), i, i});
+    if (i == farthest && across > least_tilt)
+      feature.loop.add({feature.centre + x * cosine + y * sine, across > lies_on_end ? farthest_of_rim : i, i});
+    else
+      feature.loop.add({feature.centre + x * cosine_of_sixteenths(i) + y * cosine_of_sixteenths(i + 12), i, i});
 }
 
 std::uint32_t face_along(const Hull& hull, Vec3 local) {

@@ -7,6 +7,10 @@
 
 namespace pantin {
 
+/// Sine of the angle between a cylinder's axis and a normal, below which it lies on its end, and above which on one point of its
+/// rim, which keeps its name wherever on the rim that is.
+inline constexpr double lies_on_end = 0.02;
+
 struct Corner {
   Vec3 x;              ///< [m] world axes
   std::uint32_t name;  ///< of the corner, the same from step to step

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/sets.hpp"
 #include "contacts/bodies.hpp"
@@ -33,21 +35,21 @@ struct Joined {
 
 /// Of islands that are joined, whether any of them is this.
 struct Traits {
-  bool missed = false, tied = false, stands = false, rebounds = false;
+  bool missed = false, tied = false, rubs_on_world = false, rebounds = false;
 
   void add(const TouchIsland& island) {
     missed = missed || island.missed;
     tied = tied || island.problem.is_tied() || !island.articulates.empty();
     for (const IslandContact& c : island.problem.contacts) {
-      stands = stands || c.b < 0;
+      rubs_on_world = rubs_on_world || (c.b < 0 && c.friction > 0.0);
       rebounds = rebounds || c.restitution > 0.0;
     }
   }
-  bool may_slow() const { return missed && stands && !tied && !rebounds; }
+  bool may_slow() const { return missed && rubs_on_world && !tied && !rebounds; }
 };
 
 /// Slows all of these down alike, by so much energy [J] or to a stop. Returns what it took.
-double slow_down(Model& model, const Articulates& articulates, const std::vector<std::uint32_t>& things, double by,
+double slow_down(Model& model, const Articulates& articulates, const std::set<std::uint32_t>& things, double by,
                  bool drifted) {
   double kinetic = 0.0;
   for (const std::uint32_t thing : things)
@@ -75,23 +77,17 @@ Gains settle_gains(Model& model, const Articulates& articulates, std::span<const
     belts[joined.sets.find(i)] += is_placed ? 0.0 : island.report.belts;
   }
   for (const auto& [thing, by] : beside) work[joined.sets.find(joined.owner[thing])] += by;
-  Gains sum;
-  std::vector<Traits> traits(count);
-  std::vector<std::vector<std::uint32_t>> slowed(count);
-  for (std::size_t i = 1; i < count; i++) traits[joined.sets.find(i)].add(*joined.islands[i]);
   const auto gain = [&](std::size_t i) { return std::max(0.0, work[i] - std::max(0.0, belts[i])); };
-  for (std::size_t i = 1; i < count; i++) {
-    const std::size_t set = joined.sets.find(i);
-    const std::vector<std::uint32_t>& things = joined.islands[i]->things;
-    if (gain(set) > 0.0 && traits[set].may_slow()) slowed[set].insert(slowed[set].end(), things.begin(), things.end());
-  }
-  for (std::size_t i = 0; i < count; i++) {
-    sum.wrong += gain(i);
-    if (slowed[i].empty()) continue;
-    std::sort(slowed[i].begin(), slowed[i].end());
-    slowed[i].erase(std::unique(slowed[i].begin(), slowed[i].end()), slowed[i].end());
-    sum.taken_back += slow_down(model, articulates, slowed[i], gain(i), drifted);
-  }
+  Gains sum;
+  for (std::size_t i = 0; i < count; i++) sum.wrong += gain(i);
+  std::vector<Traits> traits(count);
+  for (std::size_t i = 1; i < count; i++)
+    if (const std::size_t set = joined.sets.find(i); gain(set) > 0.0) traits[set].add(*joined.islands[i]);
+  std::map<std::size_t, std::set<std::uint32_t>> slowed;
+  for (std::size_t i = 1; i < count; i++)
+    if (const std::size_t set = joined.sets.find(i); traits[set].may_slow())
+      slowed[set].insert(joined.islands[i]->things.begin(), joined.islands[i]->things.end());
+  for (const auto& [set, things] : slowed) sum.taken_back += slow_down(model, articulates, things, gain(set), drifted);
   return sum;
 }
 

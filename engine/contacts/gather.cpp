@@ -164,7 +164,7 @@ void TouchIsland::clear() {
   held.clear();
   pulls.clear();
   placed.clear();
-  solved = false;
+  missed = solved = false;
   given.clear();
   answered = {};
   heat.clear();

@@ -30,6 +30,15 @@ Roundness roundness_of(const Geometry& shape, const Pose& pose) {
   return {is_convex(shape) ? rounding_of(shape) : 0.0, zero3()};
 }
 
+/// Whether a point of a cylinder is none of its line, or of its rim, that lies farthest along `out`: it goes with the cylinder.
+bool is_beside_rim(const Geometry& shape, const Pose& pose, Vec3 on_it, Vec3 out) {
+  constexpr double same_direction = 1.0 - 1e-6;
+  if (!std::holds_alternative<CylinderShape>(shape)) return false;
+  const Vec3 arm = pose.to_local(on_it), local = transposed_times(pose.R, out);
+  const double along = arm[0] * local[0] + arm[1] * local[1];
+  return along < same_direction * std::hypot(arm[0], arm[1]) * std::hypot(local[0], local[1]);
+}
+
 /// The points of one pair.
 class Collector final : public ManifoldSink {
  public:
@@ -53,7 +62,11 @@ class Collector final : public ManifoldSink {
       c.normal = p.normal;
       c.gap = p.gap;
       const Vec3 x_a = a_.now.pose.x;
-      if (p.id == inner_ball_id) c.round_a = {inner_ball(a_.geometry).radius, zero3()};
+      if (p.id == inner_ball_id)
+        c.round_a = {inner_ball(a_.geometry).radius, zero3()};
+      else if (is_beside_rim(a_.geometry, a_.now.pose, p.on_a, -p.normal))
+        c.round_a = {};
+      if (is_beside_rim(b_.geometry, b_.now.pose, p.on_a - p.normal * p.gap, p.normal)) c.round_b = {};
       c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
       if (m.meeting && p.id != inner_ball_id) foresee(c, p, *m.meeting, in_point);
     }

@@ -126,30 +126,27 @@ void hold_turning_ties(TouchIsland& island, double h) {
   hold_ties(problem);
 }
 
-/// Takes turning as it is with the impulses found, where few contacts act and it takes one elsewhere: whether it does.
+/// Takes turning as it is with the impulses found, of one body alone with few contacts: whether that takes it elsewhere.
 bool turn_as_found(TouchIsland& island, const Contacts& contacts, double h) {
   constexpr std::size_t few = 8;
   constexpr double nothing = 1e-9;  // of the size
   ContactIsland& problem = island.problem;
   if (problem.is_tied() || problem.bodies.size() > 1 || problem.contacts.size() > few) return false;
-  const auto turning = [&](std::size_t k) {
-    return turning_apart(island, problem.contacts[k], contacts.list[island.contacts[k]], h);
-  };
-  const auto swap_free_and_found = [&] {
-    for (IslandBody& b : problem.bodies) {
-      std::swap(b.v0, b.v);
-      std::swap(b.w0, b.w);
-    }
-  };
+  IslandBody& body = problem.bodies[0];
+  const IslandBody free = body;
   std::array<Vec3, few> change;
-  for (std::size_t k = 0; k < problem.contacts.size(); k++) change[k] = turning(k);
-  swap_free_and_found();
   bool elsewhere = false;
   for (std::size_t k = 0; k < problem.contacts.size(); k++) {
-    change[k] = turning(k) - change[k];
-    elsewhere = elsewhere || norm(change[k]) * h > nothing * contacts.list[island.contacts[k]].size;
+    const Contact& from = contacts.list[island.contacts[k]];
+    const auto turning = [&](Vec3 v, Vec3 w) {
+      body.v0 = v;
+      body.w0 = w;
+      return turning_apart(island, problem.contacts[k], from, h);
+    };
+    change[k] = turning(free.v, free.w) - turning(free.v0, free.w0);
+    elsewhere = elsewhere || norm(change[k]) * h > nothing * from.size;
   }
-  swap_free_and_found();
+  body = free;
   for (std::size_t k = 0; elsewhere && k < problem.contacts.size(); k++) {
     problem.contacts[k].bias += change[k];
     problem.contacts[k].start = problem.contacts[k].impulse;

@@ -1,6 +1,7 @@
 // A convex shape on a half space: its lowest points.
 #include <algorithm>
 
+#include "contacts/features.hpp"
 #include "contacts/manifold_parts.hpp"
 #include "shapes/hull.hpp"
 
@@ -78,7 +79,10 @@ void add_lowest(const Lowest& plane, const CylinderShape& cylinder) {
   for (std::uint32_t i = 1; i < 4; i++)
     if (dot(rim[i], down) > dot(rim[nearest], down)) nearest = i;
   for (std::uint32_t i = 0; i < 4; i++)
-    plane.add(centre + (i == nearest && tilt > level ? down : rim[i]) * radius, cap + i);
+    if (i == nearest && tilt > level)
+      plane.add(centre + down * radius, cap + (tilt > lies_on_end ? 10 : i));
+    else
+      plane.add(centre + rim[i] * radius, cap + i);
 }
 
 /// All low corners, and those of the face that looks down: what a fast turn may bring to the plane.

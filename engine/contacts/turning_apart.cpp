@@ -3,14 +3,12 @@
 #include <cmath>
 
 #include "base/functions.hpp"
+#include "contacts/features.hpp"
 #include "contacts/manifold.hpp"
 
 namespace pantin {
 
 namespace {
-
-constexpr double flat =
-    0.02;  // sine of the angle between a cylinder's axis and the normal, below which it lies on its end
 
 /// The direction from where a cylinder's edge touches to its axis, and its sine.
 struct Edge {
@@ -38,7 +36,7 @@ Vec3 off_tangent(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& roun
   const auto core = [&](Vec3 arm) { return cross(w, cross(w, arm)) * curving(w, h); };
   if (norm2(round.axis) == 0.0) return core(r + out * round.radius);
   const Edge now = edge_of(round.axis, out), then = edge_of(turned(round.axis, w * h), out);
-  if (now.sine < flat || then.sine < flat) return core(r);
+  if (now.sine < lies_on_end || then.sine < lies_on_end) return core(r);
   const double along = dot(round.axis, out), rate = -along * dot(out, cross(w, round.axis)) / now.sine;
   const Vec3 slip = cross(w, then.inward - now.inward) * 0.5;
   return core(r + now.inward * round.radius) -
@@ -55,7 +53,7 @@ Vec3 under_round(const IslandBody& flat, Vec3 arm, Vec3 out, Vec3 round_velocity
 
 bool is_ball(const Roundness& round) { return round.radius > 0.0 && norm2(round.axis) == 0.0; }
 bool is_flat(const Roundness& round, Vec3 out) {
-  return norm2(round.axis) == 0.0 ? round.radius == 0.0 : edge_of(round.axis, out).sine < flat;
+  return norm2(round.axis) == 0.0 ? round.radius == 0.0 : edge_of(round.axis, out).sine < lies_on_end;
 }
 
 Vec3 core_velocity(const IslandBody& body, Vec3 arm, Vec3 out, const Roundness& round) {

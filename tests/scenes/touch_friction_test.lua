@@ -67,17 +67,16 @@ for _, rate in ipairs { 60, 240 } do
 end
 
 -- A thin disc that lies at α rolls round on its edge with its centre at rest, at Ω² sin α = 4 g/R (Euler's disc).
-local function rolls_round(angle, rate)
-  local radius, thickness = 0.5, 0.02
+local function rolls_round(ground, angle, radius, thickness)
   local pitch = math.sqrt(4 * 9.81 / (radius * math.sin(angle)))
   local scene = open_text(([[
-    scene.step = 1 / %d
-    scene:floor { friction = 1 }
+    scene.step = 1 / 240
+    %s
     local angle, pitch, radius, thickness = %.17g, %.17g, %.17g, %.17g
     scene:body { shape = shape.cylinder { radius = radius, length = thickness, density = 1000, friction = 1 }, name = "disc",
       at = vec(0, radius * math.sin(angle) + 0.5 * thickness * math.cos(angle), 0), orientation = quat(vec(0, 0, 1), -angle),
       spin = vec(math.cos(angle), -math.sin(angle), 0) * (-pitch * math.sin(angle)) }
-  ]]):format(rate, angle, pitch, radius, thickness))
+  ]]):format(ground, angle, pitch, radius, thickness))
   local disc, before, kinetic = scene:find("disc"), scene.energy.total, scene.energy.kinetic
   local _, last, turned = scene.ledger, 0, 0
   while scene.time < 2 do
@@ -89,11 +88,22 @@ local function rolls_round(angle, rate)
   return turned / -2 / pitch, (before - scene.energy.total) / kinetic, scene.ledger.push_out
 end
 
-for _, angle in ipairs { 0.06, 0.3, 1 } do
-  test(("a disc that lies at %g rad rolls round on its edge and loses nothing"):format(angle), function()
-    local pitch, lost, pushed = rolls_round(angle, 240)
-    expect(pitch):near(1, 0.01)
-    expect(lost):below(1e-3)
+for _, ground in ipairs {
+  { "the floor", "scene:floor { friction = 1 }" },
+  { "a box", "scene:ground { shape = shape.box { size = vec(9, 1, 9), at = vec(0, -0.5, 0), friction = 1 } }" },
+} do
+  for _, angle in ipairs { 0.06, 0.15, 0.3, 1 } do
+    test(("a disc that lies at %g rad on %s rolls round on its edge and loses nothing"):format(angle, ground[1]), function()
+      local pitch, lost, pushed = rolls_round(ground[2], angle, 0.5, 0.02)
+      expect(pitch):near(1, 0.01)
+      expect(lost):below(1e-3)
+      expect(pushed):near(0, 1e-6)
+    end)
+  end
+
+  test("a thick disc on " .. ground[1] .. " loses what its start costs, and rolls round on its edge", function()
+    local _, lost, pushed = rolls_round(ground[2], 0.15, 0.3, 0.1)
+    expect(lost):below(0.05)
     expect(pushed):near(0, 1e-6)
   end)
 end
