@@ -321,6 +321,26 @@ TEST_CASE("sweep: where a rank loses the process that runs its cases all end, an
   CHECK(read_file(folder / "t.csv") == read_file(whole / "t.csv"));
 }
 
+TEST_CASE("sweep: what waits behind a long case is done by a rank that is idle") {
+  if (!have_program("mpirun")) return;
+  Folder folder;
+  write_file(folder / "long.lua", "if scene:param('n', 1) == 393 then while true do end end");
+  Process::Options started = options(
+      {"sweep", "long.lua", "--set", "n=1:400:400", "--until", "0.01", "--out", "t.csv", "--script-limit", "1000"},
+      folder.path);
+  started.arguments.insert(started.arguments.begin(), {"mpirun", "--oversubscribe", "-n", "3"});
+  started.environment.insert(started.environment.end(),
+                             {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  Process run(started);
+  std::size_t lines = 0;  // of the journal: its head, and a row each
+  for (int i = 0; i < 600 && lines < 400 && !run.wait(0.1); i++)
+    lines = rows_of(read_file(folder / "t.csv.journal")).size();
+  if (run.err().find("built without MPI") != std::string::npos) return;
+  CHECK(lines == 400);
+  for (const int rank : children_of(run.id())) kill(rank, SIGTERM);
+  CHECK(run.wait(60.0).has_value());
+}
+
 TEST_CASE("sweep: processes that srun starts without MPI are told, and none runs all cases for itself") {
   Folder folder;
   write_file(folder / "pendulum.lua", pendulum);

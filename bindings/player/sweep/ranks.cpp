@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <list>
 #include <thread>
 #include <vector>
@@ -32,7 +33,9 @@ int ranks_started() {
 
 namespace {
 
-constexpr int piece_tag = 1, end_tag = 2, result_tag = 3, part_tag = 4;  // the rest of a text follows
+constexpr int piece_tag = 1, end_tag = 2, result_tag = 3,
+              part_tag = 4,  // the rest of a text follows
+    drop_tag = 5;            // how many pieces the rank has got, the last of which another does
 
 using namespace std::chrono_literals;
 constexpr std::chrono::microseconds soon = 2ms, when_none_waits = 20ms;
@@ -121,37 +124,93 @@ void Ranks::dismiss() {
   dismissed_ = true;
 }
 
+/// What the ranks are given, by the first.
+class Ranks::Shares {
+ public:
+  Shares(Post& post, int count) : post_(post), ranks_(static_cast<std::size_t>(count)) {}
+
+  /// As many pieces as each rank may have.
+  void give(const std::function<std::optional<std::string>()>& next, std::size_t most) {
+    for (std::size_t has = 0; has < most; has++)
+      for (std::size_t rank = 1; rank < ranks_.size(); rank++) {
+        if (ranks_[rank].pieces.size() > has) continue;
+        if (const auto piece = next())
+          send(std::make_shared<Piece>(*piece), rank);
+        else if (has == 0)
+          take_over(rank);
+        else
+          return;
+      }
+  }
+  bool all_are_idle() const {
+    return std::ranges::all_of(ranks_, [](const Rank& rank) { return rank.pieces.empty(); });
+  }
+  /// Whether the piece that a rank has sent the result of was not done before.
+  bool is_new(std::size_t rank, const std::string& result) {
+    const std::shared_ptr<Piece> piece = ranks_[rank].pieces.front();
+    ranks_[rank].pieces.pop_front();
+    return !result.empty() && !std::exchange(piece->done, true);
+  }
+
+ private:
+  struct Piece {
+    std::string text;
+    bool done = false;
+    bool taken_over = false;
+  };
+  struct Rank {
+    std::deque<std::shared_ptr<Piece>> pieces;
+    int sent = 0;
+  };
+  Post& post_;
+  std::vector<Rank> ranks_;
+
+  void send(std::shared_ptr<Piece> piece, std::size_t rank) {
+    post_.send(piece->text, static_cast<int>(rank), piece_tag);
+    ranks_[rank].pieces.push_back(std::move(piece));
+    ranks_[rank].sent++;
+  }
+  /// A piece that waits for the one before it, of which nobody knows how long it takes.
+  void take_over(std::size_t idle) {
+    const auto waits = [](const Rank& rank) { return rank.pieces.size() > 1 && !rank.pieces.back()->taken_over; };
+    const auto from = std::ranges::find_if(ranks_, waits);
+    if (from == ranks_.end()) return;
+    from->pieces.back()->taken_over = true;
+    post_.send(std::to_string(from->sent), static_cast<int>(from - ranks_.begin()), drop_tag);
+    send(from->pieces.back(), idle);
+  }
+};
+
 bool Ranks::hand_out(const std::function<std::optional<std::string>()>& next,
                      const std::function<void(const std::string&)>& done, const std::function<bool()>& ahead) {
-  std::vector<int> pieces(static_cast<std::size_t>(count_));  // that each rank has
-  int busy = 0;
-  const auto give = [&] {
-    for (int most = 1; most <= (ahead() ? 2 : 1); most++)
-      for (int rank = 1; rank < count_; rank++) {
-        int& has = pieces[static_cast<std::size_t>(rank)];
-        if (has >= most) continue;
-        const auto piece = next();
-        if (!piece) return;
-        post_->send(*piece, rank, piece_tag);
-        has++;
-        busy++;
-      }
-  };
-  for (give(); busy > 0; give()) {
+  Shares shares(*post_, count_);
+  for (shares.give(next, ahead() ? 2 : 1); !shares.all_are_idle(); shares.give(next, ahead() ? 2 : 1)) {
     MPI_Status status;
     if (!wait_for_message(MPI_ANY_SOURCE, status, ahead() ? when_none_waits : soon)) return false;
     const std::string result = receive(status);
-    busy--;
-    pieces[static_cast<std::size_t>(status.MPI_SOURCE)]--;
-    done(result);
+    if (shares.is_new(static_cast<std::size_t>(status.MPI_SOURCE), result)) done(result);
   }
   dismiss();
   return true;
 }
 
 void Ranks::serve(const std::function<std::string(const std::string&)>& work) {
+  int got = 0, dropped = 0;
+  const auto look_for_dropped = [&] {
+    MPI_Status status;
+    int there = 0;
+    while (MPI_Iprobe(0, drop_tag, MPI_COMM_WORLD, &there, &status), there)
+      dropped = std::atoi(receive(status).c_str());
+  };
   for (MPI_Status status; wait_for_message(0, status) && status.MPI_TAG != end_tag;) try {
-      post_->send(work(receive(status)), 0, result_tag);
+      if (status.MPI_TAG == drop_tag) {
+        look_for_dropped();
+        continue;
+      }
+      const std::string piece = receive(status);
+      got++;
+      look_for_dropped();
+      post_->send(dropped == got ? "" : work(piece), 0, result_tag);
     } catch (const Interrupted&) { throw; } catch (const Error& error) {  // the first rank would wait for it for ever
       std::fprintf(stderr, "pantin: %s: the same command goes on\n", error.what());
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);

@@ -23,8 +23,8 @@ class Ranks {
   /// How many do pieces of work.
   int hands() const { return count_ - 1; }
   /// Of the first: asks `next` for work until it has none though all is done, and tells `done` of each result. `ahead`: whether
-  /// one that has work gets another piece, so that it need not wait for it. False where Ctrl-C came before all was done. The
-  /// others are then told to end.
+  /// one that has work gets another piece, so that it need not wait for it; where no other is left it goes to one that is
+  /// idle. False where Ctrl-C came before all was done. The others are then told to end.
   bool hand_out(const std::function<std::optional<std::string>()>& next,
                 const std::function<void(const std::string& result)>& done, const std::function<bool()>& ahead);
   /// Of the others: until they are told to end.
@@ -34,6 +34,7 @@ class Ranks {
 
  private:
   struct Post;
+  class Shares;
 
   std::unique_ptr<Post> post_;
   int rank_ = 0, count_ = 1;
