@@ -27,7 +27,7 @@ for i = 1, count do
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
     or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
   stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)),
-                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 40), 0.18 * (i // 10 % 4) - 0.27) }
+                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 30), 0.2 * (i // 10 % 3) - 0.2) }
 end
 
 -- The shovel: a plate with a back and two sides, held at its handle.
