@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #endif
 
 namespace pantin::player {
@@ -56,9 +57,12 @@ hid_t text_type() {
   return type;
 }
 
-std::string link_name(std::string name, std::size_t column) {
+/// One that no column before it has, and that HDF5 takes.
+std::string link_name(std::string name, std::size_t column, std::set<std::string>& taken) {
   for (std::size_t at; (at = name.find('/')) != std::string::npos;) name.replace(at, 1, "∕");
-  return name.empty() || name == "." ? "column " + std::to_string(column + 1) : name;
+  if (name.empty() || name == ".") name = "column " + std::to_string(column + 1);
+  while (!taken.insert(name).second) name += " again";
+  return name;
 }
 
 void write_attribute(hid_t data, const char* name, const std::string& value) {
@@ -91,29 +95,26 @@ hid_t data_options(std::size_t rows, bool compressed) {
   return options;
 }
 
-/// Where all cells are numbers or empty, and one is a number.
+/// Where all cells are numbers or empty.
 std::optional<std::vector<double>> as_numbers(const Column& column) {
   if (column.text_alone) return {};
   const auto& texts = std::get<std::vector<std::string>>(column.cells);
   std::vector<double> numbers;
-  bool any = false;
   for (const std::string& text : texts) {
     double number = std::numeric_limits<double>::quiet_NaN();
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = error == std::errc{} && end == text.data() + text.size() && !std::isnan(number);
     if (!text.empty() && !whole) return {};
-    any = any || !text.empty();
     numbers.push_back(number);
   }
-  return any ? std::optional(numbers) : std::nullopt;
+  return numbers;
 }
 
-void write_data(hid_t group, const Column& column, std::size_t number, hid_t type, const void* data, std::size_t rows,
-                bool compressed) {
+void write_data(hid_t group, const Column& column, const std::string& link, hid_t type, const void* data,
+                std::size_t rows, bool compressed) {
   const hsize_t size = rows;
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, "a space");
   const Handle options(data_options(rows, compressed), H5Pclose, "options");
-  const std::string link = link_name(column.name, number);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "options");
   check(H5Pset_char_encoding(links, H5T_CSET_UTF8), "no UTF-8");
   const Handle set(H5Dcreate2(group, link.c_str(), type, space, links, options, H5P_DEFAULT), H5Dclose, "a dataset");
@@ -122,17 +123,17 @@ void write_data(hid_t group, const Column& column, std::size_t number, hid_t typ
   if (!column.unit.empty()) write_attribute(set, "unit", column.unit);
 }
 
-void write_column(hid_t group, const Column& column, std::size_t number) {
+void write_column(hid_t group, const Column& column, const std::string& link) {
   const auto* texts = std::get_if<std::vector<std::string>>(&column.cells);
   const auto found = texts ? as_numbers(column) : std::nullopt;
   if (!texts || found) {
     const std::vector<double>& numbers = found ? *found : std::get<std::vector<double>>(column.cells);
-    return write_data(group, column, number, H5T_IEEE_F64LE, numbers.data(), numbers.size(), true);
+    return write_data(group, column, link, H5T_IEEE_F64LE, numbers.data(), numbers.size(), true);
   }
   std::vector<const char*> pointers;
   for (const std::string& text : *texts) pointers.push_back(text.c_str());
   const Handle type(text_type(), H5Tclose, "a type");
-  write_data(group, column, number, type, pointers.data(), pointers.size(), false);
+  write_data(group, column, link, type, pointers.data(), pointers.size(), false);
 }
 
 Column read_column(hid_t group, hsize_t number) {
@@ -173,7 +174,9 @@ std::string hdf5_content(const std::vector<Column>& columns) {
   check(H5Pset_obj_track_times(options, false), "no options");
   {
     const Handle group(H5Gcreate2(file, group_name, H5P_DEFAULT, options, H5P_DEFAULT), H5Gclose, "a group");
-    for (std::size_t i = 0; i < columns.size(); i++) write_column(group, columns[i], i);
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < columns.size(); i++)
+      write_column(group, columns[i], link_name(columns[i].name, i, taken));
   }
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "a file cannot be finished");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);

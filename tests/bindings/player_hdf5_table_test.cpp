@@ -61,6 +61,16 @@ TEST_CASE("hdf5_table: columns come back with names, units and all bits; texts t
   CHECK(hdf5_content(odd) == hdf5_content(odd));
 }
 
+TEST_CASE("hdf5_table: columns whose names HDF5 takes for one, and numbers none of which is known") {
+  if (!player::has_hdf5()) return;
+  Folder folder;
+  const auto back = file_of(folder, {{"a/b", "", std::vector<double>{1}, false},
+                                     {"a∕b", "", std::vector<double>{2}, false},
+                                     {"empty", "", std::vector<std::string>{""}, false}});
+  CHECK(csv_text(back) == "a/b,a∕b,empty\n1,2,\n");
+  CHECK(std::holds_alternative<std::vector<double>>(back.at(2).cells));
+}
+
 TEST_CASE("hdf5_table: no rows, and more than one chunk") {
   if (!player::has_hdf5()) return;
   Folder folder;

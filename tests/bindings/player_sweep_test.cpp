@@ -559,9 +559,12 @@ TEST_CASE("sweep: names that are those of columns are told apart") {
   Folder folder;
   write_file(folder / "names.lua", R"(
     local v = scene:param("case", 1.0)
-    scene:result("case", v)
-    scene:result("steps", 7)
+    for i, name in ipairs { "case", "case set", "case told", "steps", "x last" } do scene:result(name, i) end
+    scene:probe("x", function() return 77 end)
   )");
-  REQUIRE(use(folder, {"sweep", "names.lua", "--set", "case=1,2", "--until", "0.01", "--out", "t.csv"}).code == 0);
-  CHECK_THAT(read_file(folder / "t.csv"), Contains("case,case set,case told,steps told,time,"));
+  REQUIRE(use(folder, {"sweep", "names.lua", "--set", "case=8,9", "--until", "0.01", "--out", "t.csv"}).code == 0);
+  const auto rows = rows_of(read_file(folder / "t.csv"));
+  CHECK_THAT(rows.at(0), Contains("case,case set,case told,case set told,case told told,steps told,x last told,x last,"
+                                  "x least,x largest,time,"));
+  CHECK_THAT(rows.at(1), Contains("0,8,1,2,3,4,5,77,77,77,"));
 }

@@ -35,6 +35,8 @@ void run_to_end(Scene& scene, const SceneOptions& options, std::optional<double>
   }
 }
 
+constexpr const char* parts_of_probe[] = {" last", " least", " largest"};
+
 void tell_probe(Cells& cells, const Probe& probe) {
   if (probe.values.empty()) return;
   double least = infinity, largest = -infinity;
@@ -42,14 +44,30 @@ void tell_probe(Cells& cells, const Probe& probe) {
     least = std::min(least, probe.values[i]);
     largest = std::max(largest, probe.values[i]);
   }
-  cells.emplace_back(probe.name + " last", number_text(probe.values[probe.values.size() - 1]));
-  cells.emplace_back(probe.name + " least", number_text(least));
-  cells.emplace_back(probe.name + " largest", number_text(largest));
+  const double told[] = {probe.values[probe.values.size() - 1], least, largest};
+  for (std::size_t i = 0; i < 3; i++) cells.emplace_back(probe.name + parts_of_probe[i], number_text(told[i]));
+}
+
+/// A name with so many suffixes that it is not taken. Others stay others.
+template <class IsTaken>
+std::string free_name(std::string name, std::string_view suffix, const IsTaken& is_taken) {
+  int own = 0;
+  for (; name.ends_with(suffix); own++) name.resize(name.size() - suffix.size());
+  while (is_taken(name) || own-- > 0) name += suffix;
+  return name;
+}
+
+bool is_probe_column(const World& world, const std::string& name) {
+  return std::ranges::any_of(world.probes, [&](const Probe& probe) {
+    return std::ranges::any_of(parts_of_probe, [&](const char* part) { return name == probe.name + part; });
+  });
 }
 
 void tell_scene(CaseRow& row, const Scene& scene, const std::string& failure) {
   const World& world = scene.world();
-  for (const auto& [name, value] : scene.results()) row.told.emplace_back(name, result_cell(value));
+  const auto is_taken = [&](const std::string& name) { return is_probe_column(world, name); };
+  for (const auto& [name, value] : scene.results())
+    row.told.emplace_back(free_name(name, " told", is_taken), result_cell(value));
   for (const Probe& probe : world.probes) tell_probe(row.told, probe);
   const Stats& stats = world.stats;
   const Accuracy worst = fields::worst_accuracy(world);
@@ -87,6 +105,8 @@ std::string unit_of(const std::string& measure) {
 
 bool is_measure(const std::string& name) { return name == "case" || std::ranges::count(measures, name); }
 
+std::string set_column(const std::string& name) { return free_name(name, " set", is_measure); }
+
 /// A fraction as the number that it is; another text as it is.
 std::string as_number(const std::string& value) {
   if (value.find('/') == std::string::npos) return value;
@@ -118,8 +138,10 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
 std::string error_of(const CaseRow& row) { return cell_of(row.measured, "error"); }
 
 std::string told_column(const Cases& cases, const std::string& name) {
-  const bool is_set = std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return axis.name == name; });
-  return is_set || is_measure(name) ? name + " told" : name;
+  return free_name(name, " told", [&](const std::string& other) {
+    return is_measure(other) ||
+           std::ranges::any_of(cases.axes(), [&](const Axis& axis) { return set_column(axis.name) == other; });
+  });
 }
 
 std::vector<Column> case_columns(const Cases& cases, const std::map<std::uint64_t, CaseRow>& rows, bool timed) {
@@ -131,8 +153,7 @@ std::vector<Column> case_columns(const Cases& cases, const std::map<std::uint64_
   };
   add("case", "", [](const CaseRow& row) { return std::to_string(row.number); });
   for (std::size_t a = 0; a < cases.axes().size(); a++) {
-    const std::string& name = cases.axes()[a].name;
-    add(is_measure(name) ? name + " set" : name, "",
+    add(set_column(cases.axes()[a].name), "",
         [&](const CaseRow& row) { return as_number(cases.settings(row.number)[a].second); });
   }
   std::vector<std::string> told;

@@ -36,7 +36,7 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
 std::string error_of(const CaseRow& row);
 inline bool failed(const CaseRow& row) { return !error_of(row).empty(); }
 
-/// The column of what the scene told by a name, which may be one of the table's own.
+/// The column of what the scene told by a name, which may be one of the table's own. Two names have two columns.
 std::string told_column(const Cases& cases, const std::string& name);
 
 /// A row per case: its number, what is set, what the scene told, what was measured.
