@@ -135,7 +135,7 @@ class Ranks::Shares {
       for (std::size_t rank = 1; rank < ranks_.size(); rank++) {
         if (ranks_[rank].pieces.size() > has) continue;
         if (const auto piece = next())
-          send(std::make_shared<Piece>(*piece), rank);
+          send(std::make_shared<Piece>(Piece{*piece}), rank);
         else if (has == 0)
           take_over(rank);
         else
