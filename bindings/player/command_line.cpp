@@ -199,7 +199,7 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
           "--sample", sweep.sample,
           "Draws so many cases of the ranges (a Latin hypercube) in place of all combinations; of a search, how "
           "many it has [100 for each range]")
-      ->check(CLI::Range(1.0, 1e7))
+      ->check(CLI::Range(1.0, 1e6))
       ->type_name("N");
   CLI::Option* best = command
                           ->add_option("--best", sweep.wanted.column,

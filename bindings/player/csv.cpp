@@ -1,6 +1,7 @@
 #include "player/csv.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "base/hash.hpp"
@@ -53,7 +54,10 @@ std::string hash_text(const std::string& text) {
 
 std::string number_text(double value) {
   char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+  const bool has_places = std::fabs(value) < 1e15 && value == std::trunc(value);
+  const auto end = has_places ? std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed)
+                              : std::to_chars(digits, digits + sizeof digits, value);
+  return {digits, end.ptr};
 }
 
 }  // namespace pantin::player

@@ -19,6 +19,8 @@
 namespace pantin::player {
 namespace {
 
+constexpr double largest_drawn = 1e300;  ///< so that what lies between two numbers is one
+
 /// The names first.
 std::vector<std::vector<std::string>> rows_in(const std::string& path) {
   const auto content = path.ends_with(hdf5_ending) ? csv_text(read_hdf5(path)) : file_content(path);
@@ -69,7 +71,7 @@ class NamedTable {
 std::optional<double> number_in(const std::string& cell, bool logarithmic) {
   double x = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), x);
-  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(x)) return {};
+  if (error != std::errc{} || end != cell.data() + cell.size() || !(std::fabs(x) <= largest_drawn)) return {};
   if (logarithmic && x <= 0.0) return {};
   return x;
 }

@@ -350,10 +350,15 @@ TEST_CASE("lammps: an lmp that is missing, old, another program, fails, dies or 
   CHECK_THAT(told(fake_lmp(folder, "echo 'Large-scale Atomic/Molecular Massively Parallel Simulator - 7 Aug 2019'")),
              Contains("lmp is LAMMPS of 7 Aug 2019, and 29 Sep 2021 or newer is needed"));
   CHECK_THAT(told(fake_lmp(folder, "echo hello")), Contains("is another program called lmp?"));
-  CHECK_THAT(told(fake_lmp(folder, says_version + "echo 'ERROR: Lost atoms: original 4 current 3'; exit 1")),
-             Contains("LAMMPS: ERROR: Lost atoms") && Contains("the step is too long") && Contains("back/log.lammps"));
+  CHECK_THAT(
+      told(fake_lmp(folder, says_version + "touch log.lammps; echo 'ERROR: Lost atoms: original 4 current 3'; exit 1")),
+      Contains("LAMMPS: ERROR: Lost atoms") && Contains("the step is too long") && Contains("back/log.lammps"));
   CHECK_THAT(told(fake_lmp(folder, says_version + "kill -9 $$")), Contains("ended by signal 9 (Killed)"));
-  CHECK_THAT(told(fake_lmp(folder, says_version + "exit 3")), Contains("it ended with exit code 3"));
+  std::filesystem::remove(folder / "back/log.lammps");
+  CHECK_THAT(told(fake_lmp(folder, says_version + "exit 3")),
+             Contains("it ended with exit code 3") && !Contains("log.lammps"));
+  CHECK_THAT(told(fake_lmp(folder, "echo 'lmp: cannot open shared object file' >&2; exit 127")),
+             Contains("`lmp -h` fails: it ended with exit code 127, and said last: lmp: cannot open shared"));
   CHECK_THAT(told(fake_lmp(folder, says_version + "touch end.dump")), Contains("did not tell its forces"));
   CHECK_THAT(told(fake_lmp(folder, says_version +
                                        "(echo ITEM: NUMBER OF ATOMS; echo 500; echo ITEM: ATOMS id fx fy fz; for i in "
@@ -564,7 +569,13 @@ TEST_CASE("lammps: a dump of other particles is told as one") {
   CHECK(norm(velocity(state->world(), state->world().particles.ids()[2]) - vec(0, 0, 1)) < 1e-12);
   CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1 3 H 8 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("another shape in LAMMPS"));
   CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1 2 H 6 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("comes twice"));
-  CHECK_THAT(bring("0 0 1 2 H 4 1 nan\n0 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("has no finite z"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 nan\n0 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n").err, Contains("atom 2 has nan as its z"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1e300 3 H 6 1 0\n1 2 3 1 H 7 8 9\n").err,
+             Contains("atom 3 has 1e300 as its vz"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 0\n0 0 1 3 H 6.00001 1 0\n1 2 3 1 H 7 8 9\n").err,
+             Contains("too few digits") && Contains("%.17g"));
+  CHECK_THAT(bring("0 0 1 2 H 4 1 0\n100 0 1 3 H 6 1 0\n1 2 3 1 H 7 8 9\n").err,
+             Contains("moves in LAMMPS as no rigid body does"));
   CHECK_THAT(bring("0 0 1 2 H 4 1\n").err, Contains("no whole dump"));
 }
 

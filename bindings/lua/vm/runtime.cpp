@@ -11,6 +11,9 @@ namespace {
 
 thread_local Runtime* current_runtime = nullptr;
 
+/// What Lua's own functions go once over, asking no clock, takes a fraction of a second.
+constexpr std::size_t longest_string = std::size_t{64} << 20;  // [bytes]
+
 /// Marks the runtime as the one whose script runs, with its clock going.
 struct Inside {
   Inside(Runtime& runtime, lua_State* state, double seconds)
@@ -58,14 +61,15 @@ Runtime* Runtime::current() { return current_runtime; }
 
 void* Runtime::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   Runtime& runtime = *static_cast<Runtime*>(self);
+  const bool is_long_string = !block && old_size == LUA_TSTRING && new_size > longest_string;
   if (!block) old_size = 0;
   if (new_size == 0) {
     runtime.give_back(block, old_size);
     runtime.bytes_ -= old_size;
     return nullptr;
   }
-  if (new_size > old_size && runtime.bytes_ - old_size + new_size > runtime.limits_.bytes) {
-    if (runtime.main_) runtime.refused_at_ = where(runtime.active());
+  if (is_long_string || (new_size > old_size && runtime.bytes_ - old_size + new_size > runtime.limits_.bytes)) {
+    if (runtime.main_) runtime.refused_ = {where(runtime.active()), is_long_string};
     return nullptr;
   }
   void* fresh = runtime.take(block, old_size, new_size);
@@ -116,11 +120,14 @@ void Runtime::run_job(Job& job) {
 
 void Runtime::fail(lua_State* state, int status) {
   std::string message;
-  if (status == LUA_ERRMEM)
-    message = text(refused_at_.empty() ? "" : refused_at_ + ": ", "Lua's memory is full: the limit is ",
-                   limits_.bytes >> 20, " MiB (--memory-limit)");
-  else
+  if (status == LUA_ERRMEM) {
+    message = refused_.at.empty() ? "" : refused_.at + ": ";
+    message += refused_.is_long_string
+                   ? text("a string would be longer than ", longest_string >> 20, " MiB: keep its parts in a table")
+                   : text("Lua's memory is full: the limit is ", limits_.bytes >> 20, " MiB (--memory-limit)");
+  } else {
     message = lua_tostring(state, -1);
+  }
   lua_pop(state, 1);
   if (message == stale_message) throw StaleHandle(message);
   if (message == usage_message) throw UsageError(message);

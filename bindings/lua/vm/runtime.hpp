@@ -98,7 +98,11 @@ class Runtime {
   std::uint64_t runs_ = 0;
   std::size_t bytes_ = 0;
   SmallBlocks small_;
-  std::string refused_at_;  ///< place at which memory was refused last
+  struct Refused {
+    std::string at;  ///< place in the script
+    bool is_long_string = false;
+  };
+  Refused refused_;  ///< memory, the last time
   lua_State* main_ = nullptr;
   Watch watch_;
 };

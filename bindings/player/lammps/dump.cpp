@@ -18,6 +18,8 @@
 namespace pantin::player {
 namespace {
 
+constexpr double largest = 1e100;  ///< of the numbers of a dump, whose squares are to be finite
+
 /// One picture of a text dump: what it is of, the names of its columns, and its rows.
 class Picture {
  public:
@@ -56,7 +58,7 @@ class Picture {
               " comes twice, or is none");
       for (std::size_t k = 0; k < at.size(); k++) {
         values[k] = number<double>(row[at[k]]);
-        require(std::isfinite(values[k]), path_, ": atom ", id, " has no finite ", columns[k]);
+        require(std::abs(values[k]) <= largest, path_, ": atom ", id, " has ", row[at[k]], " as its ", columns[k]);
       }
       take(id - 1, values);
     }
@@ -225,15 +227,23 @@ Vec3 part(const DumpedAtoms& atoms, std::uint32_t atom, std::size_t from) {
 }
 
 /// The dump of another scene tears bodies.
-void check_shape(const World& world, BodyId body, const std::vector<Vec3>& x) {
+void check_shape(const World& world, BodyId body, const std::vector<Vec3>& x, const std::vector<Vec3>& v) {
   const std::vector<PointId>& points = world.bodies[body].points;
-  double size = 0.0, missed = 0.0;
+  double size = 0.0, missed = 0.0, far = 0.0, fastest = 0.0, apart = 0.0;
   for (std::size_t i = 0; i < x.size(); i++) {
     size = std::max({size, norm(x[i] - x[0]), 1e-9 * norm(x[i])});
     missed = std::max(missed, norm(x[i] - position(world, points[i])));
+    far = std::max(far, norm(x[i]));
+    fastest = std::max(fastest, norm(v[i]));
+    apart = std::max(apart, norm(v[i] - velocity(world, points[i])));
   }
-  require(missed <= 1e-6 * size, describe(world, body), " has another shape in LAMMPS, by ", rounded(missed),
-          " m: the dump is of another scene, or of other --set");
+  const bool has_few_digits = missed <= 1e-5 * far && missed <= 0.01 * size;
+  require(missed <= 1e-6 * size, describe(world, body), " has another shape in LAMMPS, by ", rounded(missed), " m: ",
+          has_few_digits
+              ? "the numbers of the dump have too few digits; have LAMMPS write it with modify format float %.17g"
+              : "the dump is of another scene, or of other --set");
+  require(apart <= 1e-3 * fastest, describe(world, body), " moves in LAMMPS as no rigid body does, by ", rounded(apart),
+          " m/s: the dump was altered, or is of another scene");
 }
 
 void put_body(World& world, BodyId body, const std::vector<std::uint32_t>& atom_of, const DumpedAtoms& atoms) {
@@ -251,7 +261,7 @@ void put_body(World& world, BodyId body, const std::vector<std::uint32_t>& atom_
   const Motion& motion = world.motion_of(body);
   const Vec3 own = rotate(conjugate(motion.q), state.angular);
   set_spin(world, body, rotate(motion.q, own * inverse_inertia(motion)));
-  check_shape(world, body, x);
+  check_shape(world, body, x, v);
 }
 
 }  // namespace

@@ -233,6 +233,26 @@ class Listener {
   double energy_ = 0.0, energy_at_end_ = 0.0, loop_ = 0.0, first_ = 0.0, last_ = 0.0;
 };
 
+/// LAMMPS goes on where a disk is full, and what it writes is cut off.
+bool is_full(const std::string& folder) {
+  std::error_code failed;
+  const fs::space_info space = fs::space(folder, failed);
+  return !failed && space.available < 4096;
+}
+
+/// Where LAMMPS leaves the scene.
+LammpsState state_by_lmp(const std::string& folder, int ranks, const Given& given, Listener& listener) {
+  try {
+    run_lmp(folder, ranks, [&](const std::string& line) { listener.hear(line); });
+    require(listener.check().done(), "LAMMPS did not tell its forces at the beginning (",
+            (fs::path(folder) / "log.lammps").string(), ")");
+    return read_state((fs::path(folder) / "end.dump").string(), given.system, given.scene->world().settings.box);
+  } catch (const Error& error) {
+    if (!is_full(folder)) throw;
+    throw Error(text(error.what(), "; the disk of ", folder, " is full"));
+  }
+}
+
 void remove_dumps(const std::string& folder) {
   std::error_code failed;
   for (const char* name : {"start.dump", "end.dump"}) fs::remove(fs::path(folder) / name, failed);
@@ -323,11 +343,7 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   remove_dumps(folder);
   for (const std::string& note : given.task.notes) say(note);
   Listener listener(given, folder);
-  run_lmp(folder, ranks, [&](const std::string& line) { listener.hear(line); });
-  require(listener.check().done(), "LAMMPS did not tell its forces at the beginning (",
-          (fs::path(folder) / "log.lammps").string(), ")");
-  bring_back(world, given.system,
-             read_state((fs::path(folder) / "end.dump").string(), given.system, world.settings.box).atoms, given.until);
+  bring_back(world, given.system, state_by_lmp(folder, ranks, given, listener).atoms, given.until);
   listener.look_at_end();
   check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);
   save_state(*given.scene, out);

@@ -21,7 +21,9 @@ struct LoweredLaw {
 namespace {
 
 const Input distance_square{Role::distance2, 0, 0, {}};
-constexpr std::size_t most_splined = std::size_t{1} << 15, most_straight = std::size_t{1} << 18;
+constexpr std::size_t most_points = std::size_t{1} << 18;
+/// Of a spline that is good where particles are: more would only mend where they never come.
+constexpr std::size_t most_splined = std::size_t{1} << 15;
 constexpr double one = 1e-12;  ///< distances that differ by less, relative to themselves, are one
 /// Energies of so many times the largest there are now nothing in the scene gives: there a table may begin or end. Straight
 /// lines need far more points to get there.
@@ -273,12 +275,12 @@ class TableMaker {
   void make_between(double from, double to) {
     const std::vector<double> kinks = law_.kinks(from, to);
     table_.spline = splines(kinks);
-    const std::size_t most = table_.spline ? most_splined : most_straight;
+    const std::size_t enough = table_.spline ? std::min(wish_.enough, most_splined) : wish_.enough;
     for (std::size_t n = wish_.points;;) {
       sample(from, to, kinks, n);
       const auto done = [&] {
-        return std::max(table_.error, table_.inner_error) <= wish_.error || n >= most ||
-               (n >= wish_.enough && table_.good_from < 0.5 * nearest_);
+        return std::max(table_.error, table_.inner_error) <= wish_.error || n >= most_points ||
+               (n >= enough && table_.good_from < 0.5 * nearest_);
       };
       if (done()) look_closely();
       if (done()) return;
@@ -286,7 +288,7 @@ class TableMaker {
       const double finer = std::pow(std::min(std::max(table_.error, table_.inner_error) / wish_.error, 1e30),
                                     table_.spline ? 0.25 : 0.5);
       const std::size_t next = n * std::bit_floor(static_cast<std::size_t>(std::clamp(finer, 2.0, 1024.0)));
-      n = std::min(n < wish_.enough ? std::min(next, wish_.enough) : next, most);
+      n = std::min(n < enough ? std::min(next, enough) : next, most_points);
     }
   }
 

@@ -209,15 +209,18 @@ LmpVersion check_lmp(int ranks) {
   require(is_there("lmp"), "LAMMPS is not there: no program `lmp` is found; install Debian's package lammps");
   std::optional<LmpVersion> version;
   bool in_packages = false;
+  LastLines lines;
   Child child({"lmp", "-h"}, "");
   const bool whole = child.read([&](const std::string& line) {
+    lines.add(line);
     if (!version) version = version_in(line);
     if (line.starts_with("Installed packages")) in_packages = true;
     if (line.starts_with("List of")) in_packages = false;
     if (in_packages && version) version->packages += " " + line + " ";
   });
-  child.end();
+  const int status = child.end();
   if (!whole) throw Interrupted("stopped");
+  if (!version && status != 0) throw Error(text("`lmp -h` fails: ", what_went_wrong(status, 1, lines)));
   require(version && version->date > 0,
           "`lmp -h` does not tell its version as LAMMPS does: is another program called lmp?");
   require(version->date >= least_date, "lmp is LAMMPS of ", version->name,
@@ -250,8 +253,9 @@ void run_lmp(const std::string& folder, int ranks, const std::function<void(cons
   if (!whole) throw Interrupted("stopped: LAMMPS was ended, and nothing is brought back");
   const int status = child.end();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && fs::exists(fs::path(folder) / "end.dump")) return;
+  const fs::path log = fs::path(folder) / "log.lammps";
   throw Error(
-      text("LAMMPS: ", what_went_wrong(status, ranks, lines), " (", (fs::path(folder) / "log.lammps").string(), ")"));
+      text("LAMMPS: ", what_went_wrong(status, ranks, lines), fs::exists(log) ? text(" (", log.string(), ")") : ""));
 }
 
 }  // namespace pantin::player

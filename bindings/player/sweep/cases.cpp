@@ -79,7 +79,8 @@ std::string Axis::value_at(double part) const {
 bool Axis::is_near_end(const std::string& value) const {
   const double x = number_or_fraction(value).value_or(std::nan(""));
   if (whole) return x == std::ceil(std::min(from, to)) || x == std::floor(std::max(from, to));
-  const double part = logarithmic ? std::log(x / from) / std::log(to / from) : (x - from) / (to - from);
+  const double part =
+      logarithmic ? (std::log(x) - std::log(from)) / (std::log(to) - std::log(from)) : (x - from) / (to - from);
   return std::fmin(part, 1.0 - part) < 1e-3;
 }
 
@@ -91,7 +92,9 @@ std::string Axis::value(std::uint64_t index) const {
 
 double Axis::between(double part) const {
   if (part == 1.0) return to;
-  return logarithmic ? from * std::pow(to / from, part) : from * (1.0 - part) + to * part;
+  if (!logarithmic) return from * (1.0 - part) + to * part;
+  const double ratio = to / from;
+  return std::isfinite(ratio) ? from * std::pow(ratio, part) : std::pow(from, 1.0 - part) * std::pow(to, part);
 }
 
 Axis read_axis(const std::string& setting) {

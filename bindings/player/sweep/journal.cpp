@@ -144,7 +144,7 @@ void Journal::read_line(const std::string& line) {
 void Journal::check_table() const {
   if (wish_.overwrite) return;
   const auto there = file_content(table_);
-  if (!there || there->empty() || tables_.contains(hash_text(*there))) return;
+  if (!there || tables_.contains(hash_text(*there)) || (there->empty() && tables_.empty())) return;
   if (!tables_.empty())
     throw UsageError(text(table_, " was changed since this sweep wrote it: move it away, or lose it with --overwrite"));
   throw UsageError(text(table_, " is there already: give another --out, or lose it with --overwrite"));

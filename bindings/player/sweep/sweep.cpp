@@ -108,7 +108,8 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
   std::optional<Best> best;
   if (!options.wanted.column.empty()) best.emplace(cases, options.wanted);
   const Rows& rows = journal.rows();
-  if (journal.is_finished())
+  const bool all_are_done = best ? journal.is_finished() : rows.size() == cases.count();
+  if (all_are_done && journal.is_finished())
     say("nothing is left to do: this sweep is finished");
   else if (!rows.empty())
     say(text("going on: ", rows.size(), " of ", cases.count(), " cases are done already"));
