@@ -11,8 +11,8 @@ local edge, mass, gap = 2, 0.4, 2 / (n - 1) -- m, kg, m
 local cloth = scene:family("cloth", { color = "#d8573c", radius = 0.3 * gap, mass = mass / (n * n), solid = true, layer = "cloth" })
 scene:collide("cloth", "cloth", false)
 local thread = force.spring { stiffness = 40, damping = 0.01 }
-local limit = { breaks_at = { length = 3 * gap } }
-local shear, bend = { breaks_at = { length = 4.5 * gap }, stiffness = 20 }, { breaks_at = { length = 6 * gap }, stiffness = 4 }
+local limit = { breaks_at = { length = 2 * gap } }
+local shear, bend = { breaks_at = { length = 3 * gap }, stiffness = 20 }, { breaks_at = { length = 4 * gap }, stiffness = 4 }
 local corners, torn, speed = {}, 0, 5 -- of the first ball, m/s
 local function hang()
   local knots = {}

@@ -357,7 +357,7 @@ bool close_displaced(Articulate& a) {
   constexpr double most_open = 2e-2;  // of the length: more than a displacement opens in the second order
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
-  const double open_before = a.gaps.unaccepted;
+  const Gaps before = a.gaps;
   for (Node& n : a.nodes) set_end_from_start(n);
   place_rows_at_start(a);
   hold_stiff(a);
@@ -375,9 +375,11 @@ bool close_displaced(Articulate& a) {
   a.conditions = conditions;
   drop_factor(a, FactorOf::newton);
   const bool tried = tries_left < most, closed = a.gaps.unaccepted <= 1e-9 * a.length;
-  if (tried && !closed) a.nodes = a.saved;
-  if (!tried || !closed) a.gaps.unaccepted = open_before;  // the next drift closes what is told
-  return !tried || closed;
+  if (!tried) a.gaps.unaccepted = before.unaccepted;  // the next drift closes what is told
+  if (!tried || closed) return true;
+  a.nodes = a.saved;
+  a.gaps = before;
+  return false;
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {

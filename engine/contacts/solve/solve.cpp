@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/solve/best_impulses.hpp"
 #include "contacts/solve/search.hpp"
 #include "contacts/solve/ties.hpp"
 
@@ -19,6 +20,7 @@ constexpr double very_calm = 0.1;             // of the speed of a calm island: 
 constexpr std::uint32_t most_rounds = 8;      // of proximal steps
 constexpr double accepted = 100.0;            // of the tolerance
 constexpr double deep = 2.5e8;                // of the tolerance: a hundredth of the thickness in a drift
+constexpr double far_off = 10.0;              // of the residual before: sweeps that leave so much are of no use
 constexpr std::size_t most_updates = 100;     // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
@@ -83,8 +85,15 @@ struct Search {
     report.failed = !solved();
     go_on();
   }
+  /// Not where they lead away: friction may grow without end where ties wedge things in.
   void sweeps(std::uint32_t most, std::uint32_t most_of_all = 0) {
+    BestImpulses before;
+    if (island.is_tied()) before.keep(island, report.residual);
     take(sweep_search(island, most, island.enough, most_of_all));
+    if (island.is_tied() && !(report.residual <= far_off * before.residual)) {
+      before.put_back(island);
+      report.residual = before.residual;
+    }
     go_on();
   }
 };
@@ -158,6 +167,8 @@ void gain_nothing(ContactIsland& island, IslandReport& report) {
   const double part = std::clamp((g.allowed - g.first) / g.second, 0.0, 1.0);
   for (IslandContact& c : island.contacts) c.impulse *= part;
   for (IslandRoll& r : island.rolls) r.impulse *= part;
+  for (IslandTie& t : island.ties) t.impulse *= part;
+  for (IslandScalar& s : island.scalars) s.impulse *= part;
   apply_impulses(island);
   observe(island);
   report.residual = residual(island);
@@ -227,12 +238,11 @@ IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSea
   }
   confine(island);
   apply_impulses(island);
-  if (!island.is_tied())
-    gain_nothing(island, search.report);
-  else if (gain_of(island).is_too_much()) {  // ties would not hold made smaller: sweeps gain nothing
+  if (island.is_tied() && gain_of(island).is_too_much()) {
     forget_turning(island);
     search.sweeps(most_sweeps);
   }
+  gain_nothing(island, search.report);
   return search.report;
 }
 
