@@ -144,3 +144,40 @@ for _, rate in ipairs { 60, 240 } do
     expect(math.abs(scene.ledger.motor)):below(1e6)
   end)
 end
+
+for threads, seconds in pairs { [5] = 4, [7] = 10 } do
+  test("a net of " .. threads .. " x " .. threads .. " rods that is laid over a ball and a box again and again is thrown off by neither", function()
+    local scene = open_text(("local n = %d\n"):format(threads) .. [[
+      scene:floor { height = 0, friction = 0.6 }
+      local edge, knots = 1.8, {}
+      local gap = edge / (n - 1)
+      local knot = scene:family("knot", { solid = true, friction = 0.4, layer = "net", mass = 0.3 / (n * n), radius = 0.025 })
+      scene:collide("net", "net", false)
+      scene:ground { shape = shape.ball { radius = 0.45, friction = 0.4 }, at = vec(-0.25, 0.75, 0) }
+      scene:block { size = vec(0.6, 0.8, 0.6), mass = 5, at = vec(0.75, 0.4, 0.1) }
+      local function place(i, j) return vec((i - 1) * gap - edge / 2 + 0.15, 1.35, (j - 1) * gap - edge / 2) end
+      for i = 1, n do
+        knots[i] = {}
+        for j = 1, n do
+          knots[i][j] = scene:particle { family = knot, at = place(i, j) }
+          if i > 1 then scene:rod(knots[i - 1][j], knots[i][j]) end
+          if j > 1 then scene:rod(knots[i][j - 1], knots[i][j]) end
+        end
+      end
+      scene:every(2, function()
+        local aside = vec(0.8 * math.random() - 0.4, 0, 0.8 * math.random() - 0.4)
+        for i, line in ipairs(knots) do
+          for j, one in ipairs(line) do one.position, one.velocity = place(i, j) + aside, vec(0, 0, 0) end
+        end
+      end)
+    ]])
+    local most = 0
+    while scene.time < seconds do
+      scene:step()
+      most = math.max(most, scene.energy.kinetic)
+    end
+    expect(most):below(0.3 * g * 1.35)
+    expect(scene.error.worst_constraint):below(1e-9)
+    expect(scene.error.worst_energy):below(0.03)
+  end)
+end

@@ -55,10 +55,20 @@ struct Search {
   double tight = accepted * island.tolerance;
 
   bool solved() const { return report.residual <= tight; }
-  void take(const SearchReport& found) {
-    report.residual = found.residual;
+  /// Nothing of one that leads away, as friction may grow without end where ties wedge things in.
+  template <class Find>
+  void take(Find&& find) {
+    BestImpulses before;
+    if (island.is_tied()) before.keep(island, report.residual);
+    const SearchReport found = find();
     report.iterations += found.iterations;
     report.factorisations += found.factorisations;
+    report.residual = found.residual;
+    const bool leads_away =
+        island.is_tied() && !(found.residual <= far_off * before.residual && std::isfinite(kinetic_energy(island)));
+    if (!leads_away) return;
+    before.put_back(island);
+    report.residual = before.residual;
   }
   /// What was found is where the next search begins.
   void go_on() {
@@ -75,25 +85,18 @@ struct Search {
   }
   void newton(std::uint32_t most) {
     if (!lay_out()) return;
-    take(newton_search(island, most));
+    take([&] { return newton_search(island, most); });
     report.failed = !solved();
     go_on();
   }
   void proximal() {
     if (!lay_out()) return;
-    take(proximal_search(island, most_rounds));
+    take([&] { return proximal_search(island, most_rounds); });
     report.failed = !solved();
     go_on();
   }
-  /// Not where they lead away: friction may grow without end where ties wedge things in.
   void sweeps(std::uint32_t most, std::uint32_t most_of_all = 0) {
-    BestImpulses before;
-    if (island.is_tied()) before.keep(island, report.residual);
-    take(sweep_search(island, most, island.enough, most_of_all));
-    if (island.is_tied() && !(report.residual <= far_off * before.residual)) {
-      before.put_back(island);
-      report.residual = before.residual;
-    }
+    take([&] { return sweep_search(island, most, island.enough, most_of_all); });
     go_on();
   }
 };
