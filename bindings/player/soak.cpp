@@ -24,6 +24,13 @@ double resident_memory() {  // [MiB]
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 0x1p20;
 }
 
+/// What probes keep of each step.
+double recorded_memory(const World& world) {  // [MiB]
+  std::size_t values = 0;
+  for (const Probe& probe : world.probes) values += probe.values.size();
+  return static_cast<double>(values * sizeof(double)) / 0x1p20;
+}
+
 double used_time() {  // [µs]
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -88,13 +95,13 @@ Soak soak_scene(const std::string& path, const std::string& home, std::uint64_t 
   soak.scene = path;
   try {
     soak_steps(*scene, steps / 10);
-    soak.memory_early = resident_memory();
+    soak.memory_early = resident_memory() - recorded_memory(world);
     soak.step_early = timed_steps(*scene, steps / 4);
     soak.energy_early = world.worst.energy;
     soak_steps(*scene, steps - steps / 10 - 2 * (steps / 4));
     soak.step_late = timed_steps(*scene, steps / 4);
   } catch (const Error& error) { soak.trouble = error.what(); }
-  soak.memory_late = resident_memory();
+  soak.memory_late = resident_memory() - recorded_memory(world);
   soak.energy_late = world.worst.energy;
   soak.steps = world.steps;
   soak.gap = world.worst.hinge_gap;

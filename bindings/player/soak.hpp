@@ -15,7 +15,8 @@ struct SoakOptions {
 struct Soak {
   std::string scene;
   std::uint64_t steps = 0;
-  double memory_early = 0.0, memory_late = 0.0;  ///< [MiB] resident, after the warm-up and at the end
+  double memory_early = 0.0,
+         memory_late = 0.0;  ///< [MiB] resident but for what probes keep, after the warm-up and at the end
   double step_early = 0.0, step_late = 0.0;      ///< [µs] of processor time a step, in a quarter of the steps
   double energy_early = 0.0, energy_late = 0.0;  ///< [1] worst error until the first quarter is over, and the end
   double gap = 0.0;                              ///< [m] worst hinge gap

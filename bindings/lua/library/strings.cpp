@@ -219,6 +219,8 @@ int repeat(lua_State* state) {
   return 1;
 }
 
+constexpr std::size_t longest_quoted = std::size_t{8} << 20;  // [bytes] Lua's own takes a while for each of them
+
 /// string.format: what %s shows has no address, and %p is refused. Upvalue 1 is Lua's own, which does the rest.
 int format(lua_State* state) {
   const std::string_view form = check_string(state, 1);
@@ -231,6 +233,8 @@ int format(lua_State* state) {
     if (c == '%') continue;
     argument++;
     require(c != 'p', "format: %p would give an address, which differs from run to run; use %s");
+    require(c != 'q' || lua_type(state, argument) != LUA_TSTRING || lua_rawlen(state, argument) <= longest_quoted,
+            "format: %q is of at most ", longest_quoted >> 20, " MiB");
     if (c != 's' || argument > count) continue;
     push_text(state, argument);
     lua_replace(state, argument);
