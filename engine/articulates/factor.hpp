@@ -28,15 +28,11 @@ struct Factor {
   /// Eliminates one column, all before it being done. `to` runs along `target`. A pivot below
   /// `redundant` of the whole is of a redundant row: its inverse is 0. Returns whether a pivot is weak.
   bool eliminate(std::uint32_t column, const std::uint32_t*& to, double redundant);
-  /// The same where all is symmetric: `upper` need not be set.
-  bool eliminate_symmetric(std::uint32_t column, const std::uint32_t*& to, double redundant);
+  /// The same where all is symmetric and no row redundant: `upper` need not be set. Pivots of one block may differ by 1e7 and more.
+  void eliminate_symmetric(std::uint32_t column, const std::uint32_t*& to);
   /// The two sweeps of a solution in place, `y` (rows): columns rising, then columns falling.
   void substitute_forward(std::uint32_t column, Vec3* y) const;
   void substitute_back(std::uint32_t column, Vec3* y) const;
-
- private:
-  template <bool symmetric>
-  bool eliminate_column(std::uint32_t column, const std::uint32_t*& to, double redundant);
 };
 
 /// Lists of rows, one after the other.

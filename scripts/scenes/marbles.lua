@@ -44,7 +44,7 @@ local function start(marble)
   marble.velocity, marble.spin = vec(1.1, 0, 0), vec(0, 0, 0)
 end
 for i = 1, count do
-  marbles[i] = scene:ball { radius = radius, density = 2500, restitution = 0.3, friction = 0.4, color = colors[i % #colors + 1],
+  marbles[i] = scene:ball { radius = radius, density = 2500, restitution = 0.3, friction = 0.15, color = colors[i % #colors + 1],
                             at = vec(2 + 0.1 * i, radius, 0) }
   scene:at(1.2 * i - 1.1, marbles[i], start)
 end

@@ -77,7 +77,6 @@ struct IslandTie : IslandPair {
   Vec3 start = zero3();            ///< [N s]
   Vec3 impulse = zero3();          ///< [N s] μ
   Vec3 u = zero3();                ///< [m/s] kept (T v - wanted)
-  Vec3 answer = zero3();           ///< [N s] to that
   Vec3 earlier_impulse = zero3();  ///< [N s] given before contacts are solved: by ties alone, by impacts
 };
 
@@ -94,7 +93,6 @@ struct IslandScalar {
   double bias = 0.0;                           ///< [m/s]
   double w = 0.0;                              ///< [1/kg]
   double start = 0.0, impulse = 0.0, u = 0.0;  ///< [N s], [N s], [m/s]
-  double answer = 0.0;                         ///< [N s] of one without bounds to u
   double earlier_impulse = 0.0;                ///< [N s] as of ties
 
   bool is_bounded() const { return low > -infinity || high < infinity; }
@@ -132,15 +130,14 @@ struct ContactIsland {
   std::vector<IslandRoll> rolls;  ///< of some of them, in their order
   std::vector<IslandTie> ties;
   std::vector<IslandScalar> scalars;
-  std::vector<ScalarEnd> ends;  ///< of the scalars
-  double tolerance = 1e-8;      ///< [m/s] to which velocities at contacts are solved
-  double enough = 1e-4;         ///< [m/s] change of velocities by a sweep after which there is no other
-  double calm = infinity;       ///< [m/s] mean velocity below which an exact search is worth while
-  Layout ties_alone, all;       ///< of the matrices that were factorised last
-  bool ties_prepared = false;   ///< the first of them is of these ties
-  std::vector<BodyLoad> tie_change,
-      tie_missing;                ///< [m/s], [rad/s]; [N s], [N m s] scratch of what ties answer
-  std::vector<BodyLoad> applied;  ///< scratch of what impulses do
+  std::vector<ScalarEnd> ends;       ///< of the scalars
+  double tolerance = 1e-8;           ///< [m/s] to which velocities at contacts are solved
+  double enough = 1e-4;              ///< [m/s] change of velocities by a sweep after which there is no other
+  double calm = infinity;            ///< [m/s] mean velocity below which an exact search is worth while
+  Layout ties_alone, all;            ///< of the matrices that were factorised last
+  bool ties_prepared = false;        ///< the first of them is of these ties
+  std::vector<BodyLoad> tie_change;  ///< [m/s], [rad/s] scratch of what ties answer
+  std::vector<BodyLoad> applied;     ///< scratch of what impulses do
   SweepSpace sweep_space;
   Workers* workers = nullptr;  ///< who share the sweeps of many contacts; null: nobody
 

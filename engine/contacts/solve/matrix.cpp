@@ -316,7 +316,7 @@ void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);
   const std::uint32_t* to = f.target.data();
   if (symmetric)
-    for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate_symmetric(k, to, 0.0);
+    for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate_symmetric(k, to);
   else
     for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate(k, to, 0.0);
 }

@@ -8,53 +8,7 @@
 
 namespace pantin {
 
-namespace {
-
-/// Velocities dv, dw of the bodies more by what these loads make in the matrix of ties.
-void add_solved(ContactIsland& island, const std::vector<BodyLoad>& loads) {
-  std::vector<BodyLoad>& change = island.tie_change;
-  change.resize(loads.size());
-  solve(island, island.ties_alone, loads, change);
-  for (std::size_t i = 0; i < change.size(); i++) {
-    island.bodies[i].dv += change[i].force;
-    island.bodies[i].dw += change[i].moment;
-  }
-}
-
-/// Sets what ties answer at these velocities, and what that does to the bodies.
-void find_answers(ContactIsland& island, std::vector<BodyLoad>& loads) {
-  loads.assign(island.bodies.size(), {});
-  for (IslandTie& t : island.ties) {
-    t.answer = (t.u + velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw)) * (-tie_stiffness / t.w);
-    add_load(loads, t, t.kept * t.answer);
-  }
-  for (IslandScalar& s : island.scalars) {
-    if (s.is_bounded()) continue;
-    s.answer = (s.u + velocity_of(island, s, &IslandBody::dv, &IslandBody::dw)) * (-tie_stiffness / s.w);
-    add_load(island, loads, s, s.answer);
-  }
-}
-
-/// Where ties all but contradict each other, round-off makes other velocities of loads than their impulses do: what is missing,
-/// and whether that is much of it.
-bool find_missing(const ContactIsland& island, const std::vector<BodyLoad>& loads, std::vector<BodyLoad>& missing) {
-  constexpr double much = 1e-6;
-  double most = 0.0, largest = 0.0;
-  missing.resize(loads.size());
-  for (std::size_t i = 0; i < loads.size(); i++) {
-    const IslandBody& b = island.bodies[i];
-    missing[i] = {loads[i].force - b.dv * b.mass, b.turning * (loads[i].moment - b.inertia * b.dw)};
-    most =
-        std::max(most, norm(missing[i].force) * b.inverse_mass + norm(b.inverse_inertia * missing[i].moment) * b.reach);
-    largest = std::max(largest, norm(b.dv) + norm(b.dw) * b.reach);
-  }
-  return most > much * largest;
-}
-
-}  // namespace
-
 void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
-  constexpr int most_refined = 4;
   if (!island.ties_prepared) {
     lay_out_ties(island);
     set_base(island, island.ties_alone, tie_stiffness);
@@ -71,17 +25,27 @@ void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
     s.u = velocity_of(island, s, &IslandBody::v, &IslandBody::w) + s.bias;
     add_load(island, loads, s, s.u * (-tie_stiffness / s.w));
   }
-  for (IslandBody& b : island.bodies) b.dv = b.dw = zero3();
-  add_solved(island, loads);
-  find_answers(island, loads);
-  std::vector<BodyLoad>& missing = island.tie_missing;
-  for (int i = 0; i < most_refined && find_missing(island, loads, missing); i++) {
-    add_solved(island, missing);
-    find_answers(island, loads);
+  std::vector<BodyLoad>& change = island.tie_change;
+  change.resize(loads.size());
+  solve(island, island.ties_alone, loads, change);
+  for (std::size_t i = 0; i < change.size(); i++) {
+    island.bodies[i].dv = change[i].force;
+    island.bodies[i].dw = change[i].moment;
+    loads[i] = {};
   }
-  for (IslandTie& t : island.ties) t.impulse += t.answer;
-  for (IslandScalar& s : island.scalars)
-    if (!s.is_bounded()) s.impulse += s.answer;
+  for (IslandTie& t : island.ties) {
+    const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
+    const Vec3 impulse = (t.u + du) * (-tie_stiffness / t.w);
+    t.impulse += impulse;
+    add_load(loads, t, t.kept * impulse);
+  }
+  for (IslandScalar& s : island.scalars) {
+    if (s.is_bounded()) continue;
+    const double du = velocity_of(island, s, &IslandBody::dv, &IslandBody::dw),
+                 impulse = (s.u + du) * (-tie_stiffness / s.w);
+    s.impulse += impulse;
+    add_load(island, loads, s, impulse);
+  }
 }
 
 namespace {
