@@ -77,6 +77,8 @@ const std::vector<std::string> grid = {"--set", "length=1:4:4", "--set", "links=
 TEST_CASE("sweep: a range has both its ends and is even, in the logarithm too; a list is as it is") {
   CHECK(values_of(player::read_axis("a=1:2:5")) == std::vector<std::string>{"1", "1.25", "1.5", "1.75", "2"});
   CHECK(values_of(player::read_axis("a=1:1e4:3:log")) == std::vector<std::string>{"1", "100", "10000"});
+  CHECK(values_of(player::read_axis("a=1e-300:1e300:3:log")) == std::vector<std::string>{"1e-300", "1", "1e+300"});
+  CHECK(values_of(player::read_axis("a=700000:900000:3")) == std::vector<std::string>{"700000", "800000", "900000"});
   CHECK(values_of(player::read_axis("a=3:1:3")) == std::vector<std::string>{"3", "2", "1"});
   CHECK(values_of(player::read_axis("kind=rod,string")) == std::vector<std::string>{"rod", "string"});
   CHECK(values_of(player::read_axis("scene.step=1/60")) == std::vector<std::string>{"1/60"});
@@ -252,6 +254,9 @@ TEST_CASE("sweep: where cases failed, neither the table nor its journal is lost 
   CHECK(altered.code == 2);
   CHECK_THAT(altered.err, Contains("t.csv was changed since this sweep wrote it"));
   CHECK(read_file(folder / "t.csv") == table + "a note\n");
+  write_file(folder / "t.csv", "");
+  CHECK_THAT(sweep_pendulum(folder, {"--set", "length=4,5"}).err,
+             Contains("t.csv was changed since this sweep wrote it"));
   CHECK(sweep_pendulum(folder, {"--set", "length=4,5", "--retry-failed", "--overwrite"}).code == 0);
   CHECK(read_file(folder / "t.csv") == table);
 }
