@@ -68,6 +68,22 @@ std::uint32_t Factor::block(std::uint32_t row, std::uint32_t column) const {
   return static_cast<std::uint32_t>(found - below.begin());
 }
 
+template <bool symmetric>
+void Factor::subtract_products(std::uint32_t k, const std::uint32_t*& to) {
+  const std::uint32_t begin = first[k], count = first[k + 1] - begin;
+  for (std::uint32_t i = 0; i < count; i++)
+    for (std::uint32_t j = 0; j <= i; j++) {
+      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_fill_in);
+      if (t & on_diagonal) {
+        diagonal[block] -= scratch[i] * upper[begin + j];
+        continue;
+      }
+      if (t & is_fill_in) lower[block] = upper[block] = zero33();
+      lower[block] -= scratch[i] * upper[begin + j];
+      if (!symmetric) upper[block] -= scratch[j] * upper[begin + i];
+    }
+}
+
 bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redundant) {
   bool weak_pivot = false;
   const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], whole[k], redundant, weak_pivot);
@@ -80,17 +96,7 @@ bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redunda
     return weak_pivot;
   }
   for (std::uint32_t i = 0; i < count; i++) scratch[i] = lower[begin + i] * pivot;
-  for (std::uint32_t i = 0; i < count; i++)
-    for (std::uint32_t j = 0; j <= i; j++) {
-      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_fill_in);
-      if (t & on_diagonal) {
-        diagonal[block] -= scratch[i] * upper[begin + j];
-        continue;
-      }
-      if (t & is_fill_in) lower[block] = upper[block] = zero33();
-      lower[block] -= scratch[i] * upper[begin + j];
-      upper[block] -= scratch[j] * upper[begin + i];
-    }
+  subtract_products<false>(k, to);
   for (std::uint32_t i = 0; i < count; i++) {
     lower[begin + i] = scratch[i];
     upper[begin + i] = pivot * upper[begin + i];
@@ -108,16 +114,7 @@ void Factor::eliminate_symmetric(std::uint32_t k, const std::uint32_t*& to) {
     upper[begin + i] = transpose(y);
     scratch[i] = triangles.scaled(y);
   }
-  for (std::uint32_t i = 0; i < count; i++)
-    for (std::uint32_t j = 0; j <= i; j++) {
-      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_fill_in);
-      if (t & on_diagonal) {
-        diagonal[block] -= scratch[i] * upper[begin + j];
-        continue;
-      }
-      if (t & is_fill_in) lower[block] = zero33();
-      lower[block] -= scratch[i] * upper[begin + j];
-    }
+  subtract_products<true>(k, to);
   for (std::uint32_t i = 0; i < count; i++) {
     lower[begin + i] = triangles.before(scratch[i]);
     upper[begin + i] = transpose(lower[begin + i]);

@@ -33,6 +33,11 @@ struct Factor {
   /// The two sweeps of a solution in place, `y` (rows): columns rising, then columns falling.
   void substitute_forward(std::uint32_t column, Vec3* y) const;
   void substitute_back(std::uint32_t column, Vec3* y) const;
+
+ private:
+  /// From the blocks to come, of what is below a column in `scratch` times what is right of it in `upper`.
+  template <bool symmetric>
+  void subtract_products(std::uint32_t column, const std::uint32_t*& to);
 };
 
 /// Lists of rows, one after the other.

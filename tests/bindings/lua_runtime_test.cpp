@@ -124,9 +124,12 @@ TEST_CASE("a script that makes a string longer than 64 MiB is stopped, so that n
   roomy.script_limit = 60;
   const auto tried = [&](const std::string& source) { lua::open_scene_text(source, "scene.lua", "", roomy); };
   const std::string refused = "scene.lua:2: a string would be longer than 64 MiB: keep its parts in a table";
-  for (const char* longer :
-       {"s .. s", "s:rep(2)", "table.concat({ s, s })", "('%s%s'):format(s, s)", "s:gsub('a', ('a'):rep(200), 1)"})
+  for (const char* longer : {"s .. s", "s:rep(2)", "table.concat({ s, s })", "s:gsub('a', ('a'):rep(200), 1)"})
     CHECK_THROWS_WITH(tried(text("local s = ('a'):rep((64 << 20) - 100)\nlocal t = ", longer)), refused);
+  CHECK_THROWS_WITH(tried("local s = ('a'):rep(60 << 20)\nlocal t = ('%s%s'):format(s, s)"),
+                    "scene.lua:2: format: %s is of at most 64 MiB in all");
+  CHECK_THROWS_WITH(tried("local s = ('a'):rep(3 << 20)\nlocal t = ('%q%q'):format(s, s)"),
+                    "scene.lua:2: format: %q is of at most 4 MiB in all");
   CHECK_NOTHROW(tried("local parts, s = {}, ('a'):rep(60 << 20)\nfor i = 1, 8 do parts[i] = s .. i end"));
   CHECK_NOTHROW(
       tried("local ok, why = pcall(string.rep, 'x', 65 << 20) assert(not ok and why == 'not enough memory')"));

@@ -219,13 +219,14 @@ int repeat(lua_State* state) {
   return 1;
 }
 
-constexpr std::size_t longest_quoted = std::size_t{8} << 20;  // [bytes] Lua's own takes a while for each of them
+constexpr std::size_t longest_quoted = std::size_t{4} << 20;  // [bytes] of all %q: Lua's own takes a while for each
 
 /// string.format: what %s shows has no address, and %p is refused. Upvalue 1 is Lua's own, which does the rest.
 int format(lua_State* state) {
   const std::string_view form = check_string(state, 1);
   const int count = lua_gettop(state);
   int argument = 1;
+  std::size_t shown = 0, quoted = 0;  // [bytes]
   for (std::size_t i = form.find('%'); i < form.size(); i = form.find('%', i)) {
     i = form.find_first_not_of("-+ #0123456789.", i + 1);
     if (i >= form.size()) break;
@@ -233,11 +234,14 @@ int format(lua_State* state) {
     if (c == '%') continue;
     argument++;
     require(c != 'p', "format: %p would give an address, which differs from run to run; use %s");
-    require(c != 'q' || lua_type(state, argument) != LUA_TSTRING || lua_rawlen(state, argument) <= longest_quoted,
-            "format: %q is of at most ", longest_quoted >> 20, " MiB");
-    if (c != 's' || argument > count) continue;
+    if (argument > count) continue;
+    if (c == 'q' && lua_type(state, argument) == LUA_TSTRING) quoted += lua_rawlen(state, argument);
+    require(quoted <= longest_quoted, "format: %q is of at most ", longest_quoted >> 20, " MiB in all");
+    if (c != 's') continue;
     push_text(state, argument);
     lua_replace(state, argument);
+    shown += lua_rawlen(state, argument);
+    require(shown <= longest_string, "format: %s is of at most ", longest_string >> 20, " MiB in all");
   }
   return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }

@@ -11,9 +11,6 @@ namespace {
 
 thread_local Runtime* current_runtime = nullptr;
 
-/// What Lua's own functions go once over, asking no clock, takes a fraction of a second.
-constexpr std::size_t longest_string = std::size_t{64} << 20;  // [bytes]
-
 /// Marks the runtime as the one whose script runs, with its clock going.
 struct Inside {
   Inside(Runtime& runtime, lua_State* state, double seconds)

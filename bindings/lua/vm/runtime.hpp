@@ -30,6 +30,9 @@ struct Opener {
   lua_CFunction describe_error;    ///< message handler: makes a text of any error
 };
 
+/// [bytes] What Lua's own functions go once over, asking no clock, takes a fraction of a second then.
+inline constexpr std::size_t longest_string = std::size_t{64} << 20;
+
 struct Limits {
   double seconds = 0.0;   ///< [s] of one call into the script; 0: none
   std::size_t bytes = 0;  ///< of Lua's memory

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/solve/best_impulses.hpp"
 #include "contacts/solve/search.hpp"
 #include "contacts/solve/ties.hpp"
 
@@ -20,7 +19,6 @@ constexpr double very_calm = 0.1;             // of the speed of a calm island: 
 constexpr std::uint32_t most_rounds = 8;      // of proximal steps
 constexpr double accepted = 100.0;            // of the tolerance
 constexpr double deep = 2.5e8;                // of the tolerance: a hundredth of the thickness in a drift
-constexpr double far_off = 10.0;              // of the residual before: sweeps that leave so much are of no use
 constexpr std::size_t most_updates = 100;     // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
@@ -55,20 +53,10 @@ struct Search {
   double tight = accepted * island.tolerance;
 
   bool solved() const { return report.residual <= tight; }
-  /// Nothing of one that leads away, as friction may grow without end where ties wedge things in.
-  template <class Find>
-  void take(Find&& find) {
-    BestImpulses before;
-    if (island.is_tied()) before.keep(island, report.residual);
-    const SearchReport found = find();
+  void take(const SearchReport& found) {
+    report.residual = found.residual;
     report.iterations += found.iterations;
     report.factorisations += found.factorisations;
-    report.residual = found.residual;
-    const bool leads_away =
-        island.is_tied() && !(found.residual <= far_off * before.residual && std::isfinite(kinetic_energy(island)));
-    if (!leads_away) return;
-    before.put_back(island);
-    report.residual = before.residual;
   }
   /// What was found is where the next search begins.
   void go_on() {
@@ -85,18 +73,18 @@ struct Search {
   }
   void newton(std::uint32_t most) {
     if (!lay_out()) return;
-    take([&] { return newton_search(island, most); });
+    take(newton_search(island, most));
     report.failed = !solved();
     go_on();
   }
   void proximal() {
     if (!lay_out()) return;
-    take([&] { return proximal_search(island, most_rounds); });
+    take(proximal_search(island, most_rounds));
     report.failed = !solved();
     go_on();
   }
   void sweeps(std::uint32_t most, std::uint32_t most_of_all = 0) {
-    take([&] { return sweep_search(island, most, island.enough, most_of_all); });
+    take(sweep_search(island, most, island.enough, most_of_all));
     go_on();
   }
 };
