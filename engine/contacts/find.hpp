@@ -104,7 +104,7 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 void put_bounds(const ThingsNow& where, ContactFinder& finder);
 /// For a state that is kept; `finder` may be null.
 void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& kept);
-/// Makes the finder anew as it was then; none where they were not known.
+/// Makes the finder find what it found then; none where they were not known.
 void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then);
 /// Finds all contacts anew; those that were there before keep their impulses.
 void find_all_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);

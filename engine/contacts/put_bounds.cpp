@@ -46,6 +46,8 @@ void put(const Model& m, ContactFinder& finder, std::uint32_t s) {
 /// All shapes; `find(slot)` says where one is.
 template <class Find>
 void put_all(const Model& m, ContactFinder& finder, std::uint64_t sleep_changes, Find find) {
+  for (std::size_t s = m.shapes.slots(); s < finder.serials.size(); s++)
+    finder.broad_phase.remove(static_cast<std::uint32_t>(s));
   finder.shapes_now.resize(m.shapes.slots());
   finder.serials.resize(m.shapes.slots(), 0);
   finder.going.assign(m.bodies.slots() + (m.solids ? m.points.slots() : 0), Going{});
@@ -98,13 +100,17 @@ void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& ke
 }
 
 void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const ShapesThen& then) {
-  finder.reset();
-  if (!then.known) return;
+  if (!then.known) {
+    finder.reset();
+    return;
+  }
+  model.places_changed = true;
   renew(finder, model);
   put_all(model, *finder, then.sleep_changes, [&](std::uint32_t s) { return then.shapes[s]; });
   finder->going = then.going;
   finder->ahead = then.ahead;
   finder->displaced = then.displaced;
+  finder->asked_changed = finder->asked_displaced = false;
 }
 
 }  // namespace pantin

@@ -71,7 +71,10 @@ std::size_t memory_of(const World& world) {
 void measure_world(const char* name, World& world) {
   for (int i = 0; i < warm_steps; i++) step(world);
   std::vector<Snapshot> ring(ring_size);
-  for (Snapshot& snapshot : ring) take_snapshot(world, snapshot);
+  for (Snapshot& snapshot : ring) {
+    take_snapshot(world, snapshot);
+    step(world);
+  }
   const double taken = timed_median([&](std::size_t i) { take_snapshot(world, ring[i % ring_size]); });
   const double restored = timed_median([&](std::size_t i) { restore(world, ring[i % ring_size]); });
   const std::size_t bytes = bytes_of(world), memory = memory_of(world);
@@ -88,7 +91,8 @@ void measure_world(const char* name, World& world) {
 }
 
 void bench_snapshot(const player::BenchOptions&) {
-  std::printf("a ring of %zu states, one thread's processor time, medians of %d [ms]\n", ring_size, rounds);
+  std::printf("a ring of %zu states, a step apart, one thread's processor time, medians of %d [ms]\n", ring_size,
+              rounds);
   std::printf("%-24s %9s %9s %9s %9s %12s %12s %9s\n", "", "take", "restore", "both", "memcpy", "file [KiB]",
               "memory [KiB]", "a step");
   {

@@ -14,6 +14,7 @@
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
 #include "laws/library.hpp"
+#include "measure/hits.hpp"
 #include "measure/measure.hpp"
 #include "snapshot/snapshot.hpp"
 #include "step/step.hpp"
@@ -219,6 +220,22 @@ TEST_CASE("snapshot: shapes that wait for their first step are part of it") {
   const Snapshot snapshot = take_snapshot(world);
   const std::vector<std::uint64_t> first = hashes(world, 40);
   restore(world, snapshot);
+  CHECK(hashes(world, 40) == first);
+}
+
+TEST_CASE("snapshot: shapes made, moved and removed since then meet nothing once it is restored") {
+  World world;
+  make_pushed(world);
+  hashes(world, 20);
+  const Snapshot snapshot = take_snapshot(world);
+  const std::vector<std::uint64_t> first = hashes(world, 40);
+  restore(world, snapshot);
+  for (int i = 0; i < 50; i++) add_box(world, vec(0.6 * i, 0.15, 0.0), vec(-30, 0, 0));
+  remove(world, world.bodies.ids()[2]);
+  hashes(world, 20);
+  restore(world, snapshot);
+  for (const Hit& hit : hits_of_ray(world, vec(100, 0.15, 0), vec(-100, 0.15, 0))) CHECK(world.shapes.alive(hit.shape));
+  CHECK(hits_of_ray(world, vec(100, 3, 0), vec(20, 3, 0)).empty());
   CHECK(hashes(world, 40) == first);
 }
 
