@@ -217,7 +217,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
       if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
       to.place_impulse = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
-      to.checks_drift = island.solved && problem.is_tied();
+      to.checks_drift = !island.missed && problem.is_tied();
       if (norm2(to.place_impulse) == 0.0) continue;
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.place_impulse, to.place_moment, c.ra, c.rb, to.normal,
                                to.foreseen, turned_by(island, to, c), c.a, c.b, c.ra + to.normal * to.round_a.radius});

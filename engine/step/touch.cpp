@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "articulates/solve/tension.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
@@ -34,6 +35,8 @@ void divide_for_contacts(World& world) {
   constexpr double most = 4.0;
   constexpr double most_whirl = 0.4;      // [rad] in a sub-step of what is tied, where it turns that fast,
   constexpr double most_whirling = 16.0;  // in no more of them
+  constexpr double most_swing = 0.3;      // [rad] of what touches, across what pulls it taut,
+  constexpr double most_swings = 8.0;     // in no more of them
   double wanted = 1.0, whirling = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
@@ -65,8 +68,11 @@ void divide_for_contacts(World& world) {
     see(c, c.body_a, c.key.a);
     if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
   }
-  const auto count =
-      static_cast<std::uint16_t>(std::ceil(std::max(std::min(wanted, most), std::min(whirling, most_whirling))));
+  double swings = 1.0;
+  for (const auto& articulate : world.articulates)
+    if (articulate->touches) swings = std::max(swings, rate_of_tension(*articulate) * world.settings.step / most_swing);
+  const auto count = static_cast<std::uint16_t>(
+      std::ceil(std::max({std::min(wanted, most), std::min(whirling, most_whirling), std::min(swings, most_swings)})));
   world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
 }
 

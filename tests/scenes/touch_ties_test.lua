@@ -181,3 +181,27 @@ for threads, seconds in pairs { [5] = 4, [7] = 10 } do
     expect(scene.error.worst_energy):below(0.03)
   end)
 end
+
+test("a drum takes up a chain that lies on the floor, with a ball at its end, and no link sinks into it", function()
+  local scene = open_text [[
+    scene.step = 1 / 60
+    scene:floor {}
+    local drum = scene:cylinder { radius = 0.4, length = 1, axis = vec(0, 0, 1), density = 500, friction = 0.5, at = vec(0, 4, 0),
+                                  points = { hub = vec(0, 0, 0), rim = vec(0.43, 0, 0) } }
+    scene:nail(drum.hub)
+    scene:orient(drum, function(t) return quat(vec(0, 0, 1), -0.8 * t) end)
+    local eye = drum.rim
+    for i = 1, 40 do
+      local half = (eye.position.y > 0.7 and vec(0, -0.15, 0) or vec(0.15, 0, 0)) / 2
+      local link = scene:body { shapes = { shape.capsule { radius = 0.03, from = half * -0.8, to = half * 0.8, density = 1000, friction = 0.5 } },
+                                at = eye.position + half, points = { head = -half, tail = half } }
+      scene:hinge(eye, link.head)
+      eye = link.tail
+    end
+    local load = scene:ball { radius = 0.25, mass = 5, at = eye.position + vec(0.25, 0, 0), points = { eye = vec(-0.25, 0, 0) } }
+    scene:hinge(eye, load.eye)
+  ]]
+  scene:advance(6)
+  expect(scene.error.worst_penetration):below(0.003)
+  expect(scene.error.worst_energy):below(0.001)
+end)
