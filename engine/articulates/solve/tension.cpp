@@ -4,6 +4,7 @@
 #include <span>
 
 #include "articulates/articulate.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
