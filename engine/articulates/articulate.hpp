@@ -132,8 +132,8 @@ struct NodeTotals {
   bool finite = true;            ///< these sums and all orientations are; then all states are
 };
 
-/// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the
-/// matrix is larger: u = 2/h² times how far the rows' forces move it, w = 2/h² times how far they turn it.
+/// A node of so many rows that each does not meet each: they meet variables of its own, as good as rows, by which the matrix is
+/// larger: u = 2/h² times how far the rows' forces move it, and of a body w = 2/h² times how far they turn it.
 struct Hub {
   std::uint32_t node, variable;             // row of u in the factor; that of w is the next
   std::vector<std::uint32_t> blocks;        // (rows on the node) those with u; with w the next of the column

@@ -136,8 +136,10 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   edges.reserve(things.size());
   for (Thing t : things) find_edges(model, t, EdgesOf::listed, edges);
   const RowLists rows_on = rows_of_nodes(things.size(), edges);
-  const std::vector<std::uint32_t> hubs = find_hubs(edges, rows_on);
-  const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
+  std::vector<char> is_body;
+  for (Thing t : things) is_body.push_back(t.is_body ? 1 : 0);
+  const std::vector<HubNode> hubs = find_hubs(edges, rows_on, is_body);
+  const std::uint32_t variables = variables_of(hubs);
   Elimination elimination = minimum_degree(neighbours_of(edges, rows_on, hubs), variables);
   elimination.order.resize(edges.size());
   std::vector<std::int32_t> position;
@@ -155,8 +157,9 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   a.predictor.forces.reserve(edges.size());
   for (std::uint32_t k : elimination.order)
     if (!add_row(a, model, edges[k], position, history)) disturb(a);
-  for (std::uint32_t i = 0; i < hubs.size(); i++)
-    a.hubs.push_back({static_cast<std::uint32_t>(position[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
+  for (const HubNode& hub : hubs)
+    a.hubs.push_back(
+        {static_cast<std::uint32_t>(position[hub.node]), a.factor.rows - variables + hub.variable, {}, {}});
   std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
   a.right_side.resize(a.factor.rows);
   a.f_saved.resize(a.rows.size());

@@ -47,19 +47,22 @@ std::vector<Edge> edges_of(const Articulate& a) {
   return edges;
 }
 
-/// Nodes, by their variables.
-std::vector<std::uint32_t> hubs_of(const Articulate& a) {
-  constexpr std::uint32_t none = ~std::uint32_t{0};
-  std::vector<std::uint32_t> nodes(a.hubs.size(), none);
+/// By their variables.
+std::vector<HubNode> hubs_of(const Articulate& a) {
+  std::vector<HubNode> hubs;
   std::uint32_t next = 0;
   for (const Hub& hub : a.hubs) {
-    const std::uint32_t variable = hub.variable - static_cast<std::uint32_t>(a.rows.size());
-    sound(hub.node >= next && hub.node < a.nodes.size() && variable % 2 == 0 && variable / 2 < nodes.size() &&
-          nodes[variable / 2] == none);
-    nodes[variable / 2] = hub.node;
+    sound(hub.node >= next && hub.node < a.nodes.size() && hub.variable >= a.rows.size());
+    hubs.push_back({hub.node, hub.variable - static_cast<std::uint32_t>(a.rows.size()), a.nodes[hub.node].is_body});
     next = hub.node + 1;
   }
-  return nodes;
+  std::sort(hubs.begin(), hubs.end(), [](const HubNode& x, const HubNode& y) { return x.variable < y.variable; });
+  std::uint32_t first = 0;
+  for (const HubNode& hub : hubs) {
+    sound(hub.variable == first);
+    first += hub.is_body ? 2 : 1;
+  }
+  return hubs;
 }
 
 /// The distance whose axis a row turns is in its coupling.
@@ -155,10 +158,10 @@ void lay_out_again(Articulate& a) {
   laid_out.rows = a.rows;
   laid_out.conditions = a.conditions;
   for (const Hub& hub : a.hubs) laid_out.hubs.push_back({hub.node, hub.variable, {}, {}});
-  const std::vector<std::uint32_t> hubs = hubs_of(a);
+  const std::vector<HubNode> hubs = hubs_of(a);
   const std::vector<Edge> edges = edges_of(a);
   const RowLists graph = neighbours_of(edges, rows_of_nodes(a.nodes.size(), edges), hubs);
-  const auto rows = static_cast<std::uint32_t>(a.rows.size() + 2 * hubs.size());
+  const auto rows = static_cast<std::uint32_t>(a.rows.size()) + variables_of(hubs);
   laid_out.factor = lay_out(minimum_degree(graph, rows).columns);
   find_row_blocks(laid_out);
   lay_out_batches(laid_out);

@@ -15,7 +15,8 @@ void find_row_blocks(Articulate& a) {
     for (std::uint32_t k : a.rows_on[hub.node]) {
       if (!free_of_hubs(a.rows[k].a) && !free_of_hubs(a.rows[k].b)) hub.only_on_hubs.push_back(k);
       hub.blocks.push_back(a.factor.block(hub.variable, k));
-      reached[hub.blocks.back()] = reached[hub.blocks.back() + 1] = 1;
+      reached[hub.blocks.back()] = 1;
+      if (a.nodes[hub.node].is_body) reached[hub.blocks.back() + 1] = 1;
     }
   }
   a.first_row_block.assign(1, 0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "articulates/build/elimination.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -30,35 +31,68 @@ RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& rows
   return pairs;
 }
 
+/// In an order in which what is left of them, once their rows are gone, is eliminated at little cost.
+std::vector<std::uint32_t> in_order(const std::vector<std::uint32_t>& hubs, const std::vector<Edge>& edges,
+                                    std::size_t nodes) {
+  constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number(nodes, none);
+  for (std::uint32_t i = 0; i < hubs.size(); i++) number[hubs[i]] = i;
+  std::vector<std::vector<std::uint32_t>> lists(hubs.size());
+  for (const Edge& edge : edges) {
+    if (edge.a < 0 || edge.b < 0 || edge.a == edge.b) continue;
+    const std::uint32_t a = number[static_cast<std::size_t>(edge.a)], b = number[static_cast<std::size_t>(edge.b)];
+    if (a == none || b == none) continue;
+    lists[a].push_back(b);
+    lists[b].push_back(a);
+  }
+  RowLists graph;
+  graph.first.push_back(0);
+  for (std::vector<std::uint32_t>& list : lists) {
+    std::sort(list.begin(), list.end());
+    graph.rows.insert(graph.rows.end(), list.begin(), std::unique(list.begin(), list.end()));
+    graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
+  }
+  std::vector<std::uint32_t> ordered;
+  for (const std::uint32_t k : minimum_degree(graph).order) ordered.push_back(hubs[k]);
+  return ordered;
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLists& rows_on) {
+std::vector<HubNode> find_hubs(const std::vector<Edge>& edges, const RowLists& rows_on,
+                               const std::vector<char>& is_body) {
   constexpr std::ptrdiff_t few = 8;
   const auto rows = [&](std::size_t node) { return std::ssize(rows_on[node]); };
-  std::vector<std::uint32_t> hubs;
+  std::vector<std::uint32_t> nodes;
   for (std::uint32_t n = 0; n + 1 < rows_on.first.size(); n++) {
     if (rows(n) <= few) continue;
-    const auto leads_to_few = [&](std::uint32_t k) {
+    const auto counts = [&](std::uint32_t k) {
+      if (edges[k].rule->soft) return true;
       const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
     const auto is_coupled = [&](std::uint32_t k) { return edges[k].rule->coupled; };
     const auto list = rows_on[n];
-    if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
-        std::none_of(list.begin(), list.end(), is_coupled))
-      hubs.push_back(n);
+    if (std::count_if(list.begin(), list.end(), counts) > few && std::none_of(list.begin(), list.end(), is_coupled))
+      nodes.push_back(n);
   }
+  std::vector<HubNode> hubs;
+  for (const std::uint32_t n : in_order(nodes, edges, is_body.size()))
+    hubs.push_back({n, variables_of(hubs), is_body[n] != 0});
   return hubs;
 }
 
-RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on,
-                       const std::vector<std::uint32_t>& hubs) {
+std::uint32_t variables_of(const std::vector<HubNode>& hubs) {
+  return hubs.empty() ? 0 : hubs.back().variable + (hubs.back().is_body ? 2 : 1);
+}
+
+RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on, const std::vector<HubNode>& hubs) {
   const auto rows = static_cast<std::uint32_t>(edges.size());
-  std::vector<std::uint32_t> variable(rows_on.first.size() - 1, 0);  // of a hub, else 0
-  for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
+  std::vector<const HubNode*> hub_of(rows_on.first.size() - 1, nullptr);
+  for (const HubNode& hub : hubs) hub_of[hub.node] = &hub;
   const RowPairs pairs = pairs_in_couplings(edges, rows_on);
   RowLists graph;
-  graph.first.reserve(rows + 2 * hubs.size() + 1);
+  graph.first.reserve(rows + variables_of(hubs) + 1);
   graph.rows.reserve(4 * std::size_t{rows});
   graph.first.push_back(0);
   auto pair = pairs.begin();
@@ -66,11 +100,13 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on,
     for (std::int32_t node : {edges[i].a, edges[i].b}) {
       if (node < 0) continue;
       const auto n = static_cast<std::size_t>(node);
-      if (variable[n] > 0)
-        graph.rows.insert(graph.rows.end(), {variable[n], variable[n] + 1});
-      else
-        std::copy_if(rows_on[n].begin(), rows_on[n].end(), std::back_inserter(graph.rows),
-                     [&](std::uint32_t j) { return j != i; });
+      if (const HubNode* hub = hub_of[n]) {
+        graph.rows.push_back(rows + hub->variable);
+        if (hub->is_body) graph.rows.push_back(rows + hub->variable + 1);
+        continue;
+      }
+      std::copy_if(rows_on[n].begin(), rows_on[n].end(), std::back_inserter(graph.rows),
+                   [&](std::uint32_t j) { return j != i; });
     }
     for (; pair != pairs.end() && pair->first == i; ++pair) graph.rows.push_back(pair->second);
     const auto begin = graph.rows.begin() + graph.first.back();
@@ -78,9 +114,9 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on,
     graph.rows.erase(std::unique(begin, graph.rows.end()), graph.rows.end());
     graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
   }
-  for (std::uint32_t hub : hubs)
-    for (int k = 0; k < 2; k++) {
-      graph.rows.insert(graph.rows.end(), rows_on[hub].begin(), rows_on[hub].end());
+  for (const HubNode& hub : hubs)
+    for (int k = 0; k < (hub.is_body ? 2 : 1); k++) {
+      graph.rows.insert(graph.rows.end(), rows_on[hub.node].begin(), rows_on[hub.node].end());
       graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
     }
   return graph;

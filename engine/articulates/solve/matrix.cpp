@@ -73,6 +73,7 @@ void add_row_blocks(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
 void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
   const std::size_t lane = hub.node % batch_size;
   const NodeBatch& n = a.batches[hub.node / batch_size];
+  const bool turns = a.nodes[hub.node].is_body;
   const auto ends = ends_of(a, n);
   const Mat3x4 one = {{{lanes(1), lanes(0), lanes(0)}, {lanes(0), lanes(1), lanes(0)}, {lanes(0), lanes(0), lanes(1)}}};
   for (std::size_t i = 0; i < hub.blocks.size(); i++) {
@@ -80,12 +81,13 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
     const double sign = ends[i].sign[lane];
     const Row& row = a.rows[ends[i].row[lane]];
     add(a.factor.upper[block], true, row, a, identity33() * sign);
-    add(a.factor.upper[block + 1], true, row, a, unpack(response(ends[i], ends[i], one, zero3x4()))[lane]);
     a.factor.lower[block] = diagonal(a.plane.directions()) * (-sign * n.inverse_mass[lane]);
+    if (!turns) continue;
+    add(a.factor.upper[block + 1], true, row, a, unpack(response(ends[i], ends[i], one, zero3x4()))[lane]);
     a.factor.lower[block + 1] = unpack(rotation_per_force(W, ends[i], right))[lane] * -1.0;
   }
   for (std::uint32_t k : hub.only_on_hubs) a.factor.diagonal[k] = zero33();
-  for (std::uint32_t k : {hub.variable, hub.variable + 1}) {
+  for (std::uint32_t k = hub.variable; k <= hub.variable + (turns ? 1 : 0); k++) {
     a.factor.diagonal[k] = identity33();
     a.factor.whole[k] = vec(1, 1, 1);
   }
