@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@ namespace pantin::player {
 struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;
+  double number = 0.0;  ///< for its colour, where a plot has a bar of colours
 };
 
 /// Two axes, logarithmic unless they are linear, and the series between them.
@@ -21,9 +23,15 @@ struct Plot {
   std::pair<double, double> mark = {0.0, 0.0};
   bool linear_x = false, linear_y = false;
   bool joined = true;  ///< by lines, in each series
+  std::string bar_name =
+      {};  ///< of the series' numbers, which a bar of colours tells in place of a legend; empty: none
+  bool logarithmic_bar = false;  ///< numbers are above 0
 };
 
-/// An SVG picture of the plots, `columns` in a row, with one legend for all: a name has the same colour in each. The
+/// How many series can be told apart by a legend.
+std::size_t most_in_legend(bool joined);
+
+/// An SVG picture of the plots, `columns` in a row, with one legend for all, or the bar of the first: a name has the same colour in each. The
 /// background is left open; lines and letters are readable on white and on black.
 std::string draw_plots(const std::vector<Plot>& plots, int columns);
 

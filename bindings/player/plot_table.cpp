@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 
 #include "player/csv.hpp"
 #include "player/hdf5_table.hpp"
 #include "player/heat_map.hpp"
+#include "player/message.hpp"
 #include "player/output.hpp"
 #include "player/plot.hpp"
 #include "scene/errors.hpp"
@@ -43,10 +45,11 @@ class NamedTable {
             text(path, ": row ", i + 2, " has ", rows_[i].size(), " cells, the first row ", names_.size()));
     const auto error = std::ranges::find(names_, "error");
     if (error == names_.end()) return;
-    const std::size_t before = rows_.size();
-    std::erase_if(rows_,
-                  [&](const auto& row) { return !row[static_cast<std::size_t>(error - names_.begin())].empty(); });
-    failed_ = before - rows_.size();
+    const auto column = static_cast<std::size_t>(error - names_.begin());
+    const auto bad =
+        std::stable_partition(rows_.begin(), rows_.end(), [&](const auto& row) { return row[column].empty(); });
+    failed_.assign(std::make_move_iterator(bad), std::make_move_iterator(rows_.end()));
+    rows_.erase(bad, rows_.end());
   }
 
   std::size_t column(const std::string& name) const {
@@ -59,13 +62,13 @@ class NamedTable {
   }
   /// But for those that tell an error.
   const std::vector<std::vector<std::string>>& rows() const { return rows_; }
-  std::size_t failed() const { return failed_; }
+  /// Those.
+  const std::vector<std::vector<std::string>>& failed() const { return failed_; }
 
  private:
   std::string path_;
   std::vector<std::string> names_;
-  std::vector<std::vector<std::string>> rows_;
-  std::size_t failed_ = 0;
+  std::vector<std::vector<std::string>> rows_, failed_;
 };
 
 std::optional<double> number_in(const std::string& cell, bool logarithmic) {
@@ -87,12 +90,12 @@ std::string short_number(const std::string& cell) {
 
 struct Mean {
   double sum = 0.0;
-  int count = 0;
+  std::size_t count = 0;
   void add(double x) {
     sum += x;
     count++;
   }
-  double value() const { return sum / count; }
+  double value() const { return sum / static_cast<double>(count); }  ///< NaN: of none
 };
 
 [[noreturn]] void refuse_without_numbers() { throw UsageError("no row has numbers in all of these columns"); }
@@ -101,30 +104,73 @@ bool is_log(const PlotOptions& options, const std::string& column) {
   return std::ranges::find(options.log, column) != options.log.end();
 }
 
-std::string draw_lines(const PlotOptions& options, const NamedTable& table, std::size_t& left_out) {
+/// What is not drawn of the rows that tell no error.
+struct LeftOut {
+  std::size_t rows = 0;
+  std::size_t hatched = 0;  ///< of a heat map, with those that tell an error
+};
+
+struct DrawnLine {
+  std::string value;  ///< of the column `by`
+  std::map<double, Mean> means;
+};
+
+/// Those of numbers in rising order, others after them in the order of the table.
+std::vector<DrawnLine> lines_of(const PlotOptions& options, const NamedTable& table, LeftOut& left_out) {
   const std::size_t x = table.column(options.x), y = table.column(options.y);
   const std::size_t by = options.by.empty() ? x : table.column(options.by);
+  std::map<std::string, std::size_t> places;
+  std::vector<DrawnLine> lines;
+  for (const auto& row : table.rows()) {
+    const auto px = number_in(row[x], is_log(options, options.x)), py = number_in(row[y], is_log(options, options.y));
+    if (!px || !py) {
+      left_out.rows++;
+      continue;
+    }
+    const std::string value = options.by.empty() ? "" : row[by];
+    const auto [place, is_new] = places.try_emplace(value, lines.size());
+    if (is_new) lines.push_back({value, {}});
+    lines[place->second].means[*px].add(*py);
+  }
+  std::ranges::stable_sort(lines, {}, [](const DrawnLine& line) {
+    const auto number = number_in(line.value, false);
+    return std::pair(!number, number.value_or(0.0));
+  });
+  return lines;
+}
+
+/// More lines than a legend can tell apart, by their colours.
+void use_bar(const PlotOptions& options, Plot& plot, std::vector<DrawnLine>& lines, LeftOut& left_out) {
+  plot.bar_name = options.by;
+  plot.logarithmic_bar = is_log(options, options.by);
+  const std::size_t count = lines.size();
+  std::erase_if(lines, [&](const DrawnLine& line) {
+    if (number_in(line.value, plot.logarithmic_bar)) return false;
+    if (!line.value.empty() && !number_in(line.value, false))
+      throw UsageError(text("--by ", options.by, ": ", count, " different values, '", line.value, "' among them, and ",
+                            most_in_legend(plot.joined),
+                            " can be told apart: take a column with fewer, or with numbers"));
+    for (const auto& [at, mean] : line.means) left_out.rows += mean.count;
+    return true;
+  });
+}
+
+std::string draw_lines(const PlotOptions& options, const NamedTable& table, LeftOut& left_out) {
   Plot plot{options.title, options.x, options.y, {}};
   plot.linear_x = !is_log(options, options.x);
   plot.linear_y = !is_log(options, options.y);
   plot.joined = !options.points;
-  std::vector<std::pair<std::string, std::map<double, Mean>>> lines;  // in the order of the table
-  for (const auto& row : table.rows()) {
-    const auto px = number_in(row[x], !plot.linear_x), py = number_in(row[y], !plot.linear_y);
-    if (!px || !py) {
-      left_out++;
-      continue;
-    }
-    const std::string value = options.by.empty() ? "" : row[by];
-    auto line = std::ranges::find(lines, value, [](const auto& l) { return l.first; });
-    if (line == lines.end()) line = lines.insert(lines.end(), {value, {}});
-    line->second[*px].add(*py);
-  }
+  std::vector<DrawnLine> lines = lines_of(options, table, left_out);
+  if (lines.size() > most_in_legend(plot.joined))
+    use_bar(options, plot, lines, left_out);
+  else if (!options.by.empty() && options.by != options.x && options.by != options.y && is_log(options, options.by))
+    throw UsageError(text("--log ", options.by, ": so few lines have a legend, and no scale of colours"));
   std::map<std::string, int> short_names;
-  for (const auto& line : lines) short_names[short_number(line.first)]++;
+  for (const DrawnLine& line : lines) short_names[short_number(line.value)]++;
   for (const auto& [value, means] : lines) {
     const std::string few = short_number(value);
     Series series{options.by.empty() ? "" : options.by + " = " + (short_names[few] > 1 ? value : few), {}};
+    series.number = number_in(value, false).value_or(0.0);
     for (const auto& [at, mean] : means) series.points.emplace_back(at, mean.value());
     plot.series.push_back(std::move(series));
   }
@@ -132,23 +178,32 @@ std::string draw_lines(const PlotOptions& options, const NamedTable& table, std:
   return draw_plots({plot}, 1);
 }
 
-std::string draw_map(const PlotOptions& options, const NamedTable& table, std::size_t& left_out) {
+std::string draw_map(const PlotOptions& options, const NamedTable& table, LeftOut& left_out) {
   const std::size_t x = table.column(options.x), y = table.column(options.y), color = table.column(options.color);
   HeatMap map{options.title, options.x, options.y, options.color, {}};
   map.logarithmic_x = is_log(options, options.x);
   map.logarithmic_y = is_log(options, options.y);
   map.logarithmic_value = is_log(options, options.color);
   std::map<std::pair<double, double>, Mean> means;
-  for (const auto& row : table.rows()) {
+  const auto place_of = [&](const std::vector<std::string>& row) -> Mean* {
     const auto px = number_in(row[x], map.logarithmic_x), py = number_in(row[y], map.logarithmic_y);
+    return px && py ? &means[{*px, *py}] : nullptr;
+  };
+  for (const auto& row : table.rows()) {
     const auto value = number_in(row[color], map.logarithmic_value);
-    if (px && py && value)
-      means[{*px, *py}].add(*value);
+    Mean* const place = place_of(row);
+    if (place && value)
+      place->add(*value);
     else
-      left_out++;
+      (place ? left_out.hatched : left_out.rows)++;
   }
-  for (const auto& [at, mean] : means) map.values.push_back({at.first, at.second, mean.value()});
-  if (map.values.empty()) refuse_without_numbers();
+  for (const auto& row : table.failed()) left_out.hatched += place_of(row) ? 1u : 0u;
+  bool has_one = false;
+  for (const auto& [at, mean] : means) {
+    map.values.push_back({at.first, at.second, mean.value()});
+    has_one = has_one || mean.count > 0;
+  }
+  if (!has_one) refuse_without_numbers();
   return draw_heat_map(map);
 }
 
@@ -164,16 +219,20 @@ int plot_table(const PlotOptions& options) {
     throw UsageError("--points is of lines, --color of a heat map: give one of them");
   for (const std::string& name : options.log) {
     table.column(name);
-    if (name != options.x && name != options.y && name != options.color)
+    if (name != options.x && name != options.y && name != options.color && name != options.by)
       throw UsageError(text("--log ", name, ": that is no axis of this picture"));
   }
   Output file(options.out);
-  std::size_t left_out = 0;
+  LeftOut left_out;
   file.write(options.color.empty() ? draw_lines(told, table, left_out) : draw_map(told, table, left_out));
   file.keep();
-  if (table.failed() > 0) std::printf("%zu rows tell an error and are left out\n", table.failed());
-  if (left_out > 0)
-    std::printf("%zu of %zu rows have no such numbers and are left out\n", left_out, table.rows().size());
+  const std::size_t rows = table.rows().size(), failed = table.failed().size();
+  if (left_out.hatched > 0)
+    std::printf("%zu of %zu rows have no number '%s', or tell an error: a place where none has one is hatched\n",
+                left_out.hatched, rows + failed, options.color.c_str());
+  else if (failed > 0)
+    std::printf("%s left out\n", amount(failed, "row tells an error and is", "rows tell an error and are").c_str());
+  if (left_out.rows > 0) std::printf("%zu of %zu rows have no such numbers and are left out\n", left_out.rows, rows);
   return 0;
 }
 

@@ -77,6 +77,65 @@ TEST_CASE("plot_table: a heat map of a sample has the colour of the nearest case
   CHECK_THAT(covered, Catch::WithinRel(420.0 * 420.0 + 420.0 * 16.0, 1e-3));  // and the scale of colours
 }
 
+TEST_CASE("plot_table: a heat map is of all cases, and hatched where the nearest has no number or failed") {
+  Folder folder;
+  const std::string grid = picture(folder, {.x = "a", .y = "b", .color = "k"},
+                                   "a,b,k,error\n1,1,,\n2,1,5,\n1,2,6,\n2,2,,bad\n3,1,,\n3,2,7,\n");
+  CHECK(count(grid, "fill=\"url\\(#hatched\\)\"") == 3 + 1);  // and what it means
+  CHECK_THAT(grid, Contains(">no number<") && Contains(">0.5<") && Contains(">3.5<"));
+  const std::string sample =
+      picture(folder, {.x = "a", .y = "b", .color = "k"}, "a,b,k\n1,10,0\n2,20,\n3,11,0.5\n4,19,1\n5,18,\n");
+  CHECK(count(sample, "<circle") == 5);
+  CHECK(count(sample, "hatched\\)") > 10);
+  CHECK(count(picture(folder, {.x = "size", .y = "cost", .color = "rate"}), "hatched\\)") == 0);
+  const Finished told =
+      use(folder, {"plot", "t.csv", "--x", "size", "--y", "rate", "--color", "cost", "--out", "u.svg"});
+  CHECK(told.out == "1 of 6 rows have no number 'cost', or tell an error: a place where none has one is hatched\n");
+}
+
+TEST_CASE("plot_table: the name of a bar of colours is along it, whatever its length") {
+  Folder folder;
+  const std::string svg =
+      picture(folder, {.x = "a", .y = "b", .color = "tip height largest"}, "a,b,tip height largest\n1,1,3\n2,1,4\n");
+  const std::size_t name = svg.find(">tip height largest<");
+  REQUIRE(name != std::string::npos);
+  CHECK_THAT(svg.substr(svg.rfind("<text", name), name - svg.rfind("<text", name)),
+             Contains("rotate(-90") && Contains("middle"));
+}
+
+TEST_CASE("plot_table: more lines than a legend can tell apart have a bar of colours, or are refused") {
+  Folder folder;
+  std::string numbers = "a,b,k\n", names = "a,b,k\n";
+  for (int i = 40; i > 0; i--)
+    for (const char* a : {"1", "2"}) {
+      numbers += text(a, ",", i, ",", i, "\n");
+      names += text(a, ",", i, ",n", i, "\n");
+    }
+  for (const bool points : {false, true}) {
+    const std::string svg = picture(folder, {.x = "a", .y = "b", .by = "k", .points = points}, numbers);
+    CHECK(count(svg, "<polyline") == (points ? 0 : 40));
+    CHECK_THAT(svg, Contains("#440154") && Contains("#fde725") && Contains(">k<") && !Contains("k = "));
+    CHECK(number_after(svg, "height=\"", 0) < 400.0);
+  }
+  write_file(folder / "t.csv", names);
+  const auto draw = [&](bool points) {
+    player::plot_table(
+        {.table = folder / "t.csv", .x = "a", .y = "b", .by = "k", .points = points, .out = folder / "t.svg"});
+  };
+  CHECK_THROWS_WITH(draw(false), Contains("40 different values") && Contains("16 can be told apart"));
+  CHECK_THROWS_WITH(draw(true), Contains("8 can be told apart"));
+}
+
+TEST_CASE("plot_table: a legend has numbers in rising order, and dots for points") {
+  Folder folder;
+  const std::string rows = "a,b,k\n1,1,20\n2,1,20\n1,2,3\n1,3,100\n";
+  const std::string svg = picture(folder, {.x = "a", .y = "b", .by = "k"}, rows);
+  CHECK((svg.find("k = 3<") < svg.find("k = 20<") && svg.find("k = 20<") < svg.find("k = 100<")));
+  const std::string dots = picture(folder, {.x = "a", .y = "b", .by = "k", .points = true}, rows);
+  CHECK(count(dots, "<circle") == 4 + 3);
+  CHECK(count(dots, "stroke-width=\"2.5\"") == 0);
+}
+
 TEST_CASE("plot_table: a logarithmic axis of less than two decades has ticks between powers of ten, and ends there") {
   Folder folder;
   const std::string svg = picture(folder, {.x = "a", .y = "b", .log = {"a"}}, "a,b\n0.6,100\n1.5,200\n3,300\n");
@@ -121,7 +180,7 @@ TEST_CASE("plot_table: rows that tell an error are left out, and counted") {
   CHECK(player::plot_table({.table = folder / "t.csv", .x = "a", .y = "b", .out = folder / "t.svg"}) == 0);
   CHECK(count(read_file(folder / "t.svg"), "<circle") == 2);
   const Finished told = use(folder, {"plot", "t.csv", "--x", "a", "--y", "b", "--out", "u.svg"});
-  CHECK(told.out == "1 rows tell an error and are left out\n");
+  CHECK(told.out == "1 row tells an error and is left out\n");
 }
 
 TEST_CASE("plot_table: a table is read as it was written, with quotes and line breaks in cells") {
