@@ -191,7 +191,7 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
   list_option(
       *command, "--set", sweep.settings,
       "Values of a parameter of the scene or a field: links=10:1000:20 (20 from 10 to 1000), mass=1e-3:1e3:7:log, "
-      "ratio=1,1e3,1e6, scene.step=1/60,1/240",
+      "ratio=1,1e3,1e6, scene.step=1/60,1/240, 'kind=\"with, comma\",b'",
       "K=VALUES", check_setting);
   command->add_option("--seeds", sweep.seeds, "Of math.random: 1:100 or 1,5,9")->type_name("FIRST:LAST");
   command
@@ -223,8 +223,8 @@ void add_sweep(CLI::App& app, SweepOptions& sweep, RunOptions& scene, Texts& tex
                     "Of a sweep that was finished or stopped, runs the failed cases again, with another limit if you "
                     "like, and keeps the others");
   command->add_flag("--overwrite", sweep.overwrite,
-                    "Begins anew where that table is there already, which is lost with its journal; else another table "
-                    "than this sweep's is refused");
+                    "A table that is there already may be lost, and a sweep that was finished begins anew; what a "
+                    "stopped one has done is kept. Else another table than this sweep's is refused");
   command->add_option("--jobs", sweep.jobs, "Processes; 0: one for each processor. The table is the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
@@ -249,9 +249,15 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
   command->add_option("--y", plot.y, "Column up the picture; rows with an equal x are drawn as their mean")
       ->required()
       ->type_name("COLUMN");
-  command->add_option("--by", plot.by, "A line for each value of this column")->type_name("COLUMN");
+  command
+      ->add_option(
+          "--by", plot.by,
+          "A line for each value of this column; of more numbers than a legend can tell apart by a bar of colours")
+      ->type_name("COLUMN");
   command->add_option("--color", plot.color, "A heat map of this column over x and y")->type_name("COLUMN");
-  command->add_option("--log", plot.log, "Columns whose axis is logarithmic")->delimiter(',')->type_name("COLUMN,...");
+  command->add_option("--log", plot.log, "Columns whose axis, or bar of colours, is logarithmic")
+      ->delimiter(',')
+      ->type_name("COLUMN,...");
   command->add_option("--title", plot.title, "[the table's name]");
   command->add_flag("--points", plot.points, "Points that no lines join");
   command->add_option("--out", plot.out, "The picture")->required()->check(check_svg)->type_name("FILE.svg");

@@ -77,6 +77,27 @@ Options::Command command_of(const CLI::App& app) {
       what + ": give play, run, replay, report, sweep, plot, export, lammps, test or bench (pantin --help tells more)");
 }
 
+std::string command_name(const CLI::App& app) {
+  std::string name = "pantin";
+  for (const CLI::App* used : app.get_subcommands()) name += " " + used->get_name();
+  return name;
+}
+
+/// What no option takes, in the order in which it was given, and of which commands it is.
+[[noreturn]] void refuse_extras(const CLI::App& app) {
+  std::string all, others;
+  for (const std::string& extra : app.remaining(true)) {
+    all += " " + extra;
+    const std::string name = extra.substr(0, extra.find('='));
+    std::string owners;
+    for (const CLI::App* command : app.get_subcommands(nullptr))
+      if (extra.starts_with("--") && command->get_option_no_throw(name))
+        owners += (owners.empty() ? " is of " : ", ") + command->get_name();
+    if (!owners.empty()) others += name + owners + "; ";
+  }
+  throw UsageError(text("this is not understood:", all, " (", others, command_name(app), " --help tells more)"));
+}
+
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 }  // namespace
@@ -131,9 +152,8 @@ Options read_options(int argc, const char* const* argv) {
     return options;
   } catch (const CLI::ParseError& error) {
     if (app.get_subcommands().empty()) refuse_command(argv[1]);
-    std::string command = "pantin";
-    for (CLI::App* used : app.get_subcommands()) command += " " + used->get_name();
-    throw UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) refuse_extras(app);
+    throw UsageError(first_line(error.what()) + " (" + command_name(app) + " --help tells more)");
   }
   if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
   settle(options, texts);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <thread>
 
 #include "lua/meta/annotations.hpp"
 #include "lua/meta/reference.hpp"
@@ -25,6 +27,7 @@
 #include "player/replay.hpp"
 #include "player/report.hpp"
 #include "player/run.hpp"
+#include "player/sweep/ranks.hpp"
 #include "player/sweep/sweep.hpp"
 #include "player/test.hpp"
 #include "scene/errors.hpp"
@@ -85,6 +88,8 @@ int run_program(int argc, const char* const* argv) {
             "what this tells cannot be written: ", std::strerror(errno));
     return code;
   } catch (const UsageError& error) {
+    // Of what mpirun started the first says it, and mpirun ends this one meanwhile, unless it is of this one alone.
+    if (is_later_rank()) std::this_thread::sleep_for(std::chrono::seconds(2));
     say(error.what());
     return 2;
   } catch (const std::bad_alloc&) { say("there is not enough memory for this"); } catch (const std::exception& error) {

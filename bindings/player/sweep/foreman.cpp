@@ -8,9 +8,11 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <optional>
+#include <thread>
 
 #include "player/interrupt.hpp"
 #include "player/sweep/pipe_text.hpp"
@@ -61,6 +63,10 @@ std::string Foreman::result_of(const std::string& piece) const {
   for (pollfd end{from_, POLLIN, 0}; is_there && poll(&end, 1, 200) <= 0;)
     if (Interrupt::asked()) throw Interrupted("stopped");
   is_there = is_there && read_text(from_, result);
+  for (int wait = 0; !is_there && wait < 10; wait++) {  // what ends it may be what ends this one
+    if (Interrupt::asked()) throw Interrupted("stopped");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
   require(is_there, "sweep: the process that runs cases is gone");
   return result;
 }

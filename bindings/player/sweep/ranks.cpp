@@ -29,6 +29,12 @@ int ranks_started() {
   return started;
 }
 
+bool is_later_rank() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+    if (const char* value = std::getenv(name)) return std::atoi(value) > 0;
+  return false;
+}
+
 #ifdef PANTIN_MPI
 
 namespace {
@@ -211,7 +217,7 @@ void Ranks::serve(const std::function<std::string(const std::string&)>& work) {
       got++;
       look_for_dropped();
       post_->send(dropped == got ? "" : work(piece), 0, result_tag);
-    } catch (const Interrupted&) { throw; } catch (const Error& error) {  // the first rank would wait for it for ever
+    } catch (const Interrupted&) { return; } catch (const Error& error) {  // the first rank would wait for it for ever
       std::fprintf(stderr, "pantin: %s: the same command goes on\n", error.what());
       MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
     }

@@ -11,6 +11,9 @@ namespace pantin::player {
 /// cannot find each other.
 int ranks_started();
 
+/// Whether this is one of them, and not the first, by the same; false: that is not known.
+bool is_later_rank();
+
 /// All of them together, from first to last. Throws UsageError where this program was built without MPI.
 class Ranks {
  public:
