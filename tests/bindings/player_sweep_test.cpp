@@ -81,19 +81,27 @@ TEST_CASE("sweep: a range has both its ends and is even, in the logarithm too; a
   CHECK(values_of(player::read_axis("a=700000:900000:3")) == std::vector<std::string>{"700000", "800000", "900000"});
   CHECK(values_of(player::read_axis("a=3:1:3")) == std::vector<std::string>{"3", "2", "1"});
   CHECK(values_of(player::read_axis("kind=rod,string")) == std::vector<std::string>{"rod", "string"});
+  CHECK(values_of(player::read_axis("kind=\"c,d\",e,\"a:b\"")) == std::vector<std::string>{"c,d", "e", "a:b"});
+  CHECK(values_of(player::read_axis("kind=a\"b,c")) == std::vector<std::string>{"a\"b", "c"});
   CHECK(values_of(player::read_axis("scene.step=1/60")) == std::vector<std::string>{"1/60"});
   CHECK(values_of(player::read_seeds("3:5")) == std::vector<std::string>{"3", "4", "5"});
 }
 
 TEST_CASE("sweep: values that are none are refused before anything runs") {
-  for (const char* bad : {"a", "=1", "a=1:2:1", "a=1:2:x", "a=1:inf:3", "a=0:1:3:log", "a=1,,2", "a=1:2:3:4"}) {
+  for (const char* bad : {"a", "=1", "a=1:2:1", "a=1:2:x", "a=1:inf:3", "a=0:1:3:log", "a=1,,2", "a=1:2:3:4",
+                          "a=1:2:2.5", "a=\"b,c", "a=\"b\"c"}) {
     CAPTURE(bad);
     CHECK_THROWS_AS(player::read_axis(bad), UsageError);
   }
+  CHECK_THROWS_WITH(player::read_axis("a=2,1/2,x,0.5"), Contains("--set a=2,1/2,x,0.5 has 0.5 twice"));
+  CHECK_THROWS_WITH(player::read_axis("a=x,y,x"), Contains("has x twice"));
+  CHECK_THROWS_WITH(player::read_seeds("1,1,3"), Contains("--seeds 1,1,3 has 1 twice"));
   for (const char* bad : {"5:1", "x", "1:", "-1", "1.5"}) CHECK_THROWS_AS(player::read_seeds(bad), UsageError);
   using player::Cases, player::read_axis;
   CHECK_THROWS_WITH(Cases({read_axis("a=0:1:1000000"), read_axis("b=0:1:1000000")}, 0), Contains("1e+12 cases"));
   CHECK_THROWS_WITH(Cases({read_axis("a=0:1")}, 0), Contains("has no count"));
+  for (const char* many : {"a=1:2:1e12", "a=1:2:1e300"})
+    CHECK_THROWS_WITH(Cases({read_axis(many)}, 0), Contains("cases are more than the"));
 }
 
 TEST_CASE("sweep: a Latin hypercube has each of its strips once") {
@@ -149,7 +157,9 @@ TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothin
   refused({"--set", "mass=1,2"}, "no parameter 'mass'");
   refused({"--set", "mass=1:2:3"}, "no parameter 'mass'");
   refused({"--set", "lenght=1:2:3"}, "Did you mean 'length'?");
-  refused({"--seeds", "5:1"}, "the first comes before the last, 1:5");
+  refused({"--seeds", "5:1"}, "pantin: --seeds: the first comes before the last, 1:5, not 5:1");
+  refused({"--what", "1", "--every", "0.1", "--reduce=mean"},
+          "not understood: --what 1 --every 0.1 --reduce=mean (--every is of play, run; --reduce is of play, run");
   refused({"--set", "length=1,2", "--set", "length=3"}, "set twice");
   refused({"--set", "links=1:3:9"}, "a whole number in this scene");
   refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");
@@ -196,14 +206,15 @@ TEST_CASE("sweep: a journal that was cut off goes on; one of another sweep, or c
   std::string changed = content;
   changed[changed.find("\"1\"") + 1] = '2';
   write_file(path, changed);
-  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains(":2: this line was changed"));
+  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains(", line 2: this line was changed"));
 }
 
 TEST_CASE("sweep: two into one table are refused") {
   Folder folder;
   const std::string table = folder / "t.csv";
   const player::Journal first(table, "one");
-  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains("another sweep is writing"));
+  CHECK_THROWS_WITH(player::Journal(table, "one"),
+                    Contains("another sweep is writing") && Contains("wait until they have"));
 }
 
 TEST_CASE("sweep: one that is finished is not done again, and its table is written again where it is gone") {
@@ -267,11 +278,51 @@ TEST_CASE("sweep: a table that came while it ran stays, and once that is moved t
   player::Journal journal(table, "one");
   journal.add({0, {{"a", "1"}}, {}, {}});
   write_file(table, "mine");
-  CHECK_THROWS_WITH(journal.check_table(), Contains("is there already"));
+  CHECK_THROWS_WITH(journal.check_table(),
+                    Contains("is there already") && Contains("move it away and start again, what is done is kept"));
   std::filesystem::remove(table);
   journal.check_table();
   journal.finish([&] { write_file(table, "theirs"); }, "theirs");
   journal.check_table();
+}
+
+TEST_CASE("sweep: what a stopped one has done is kept by --overwrite, of the same scene alone") {
+  Folder folder;
+  const std::string table = folder / "t.csv";
+  { player::Journal(table, "one").add({0, {{"a", "1"}}, {}, {}}); }
+  write_file(table, "mine");
+  CHECK_THROWS_WITH(player::Journal(table, "one"), Contains("what is done is kept"));
+  CHECK(player::Journal(table, "one", {false, true}).rows().size() == 1);
+  CHECK_THROWS_WITH(player::Journal(table, "two", {false, true}), Contains("delete the file to begin the sweep anew"));
+}
+
+TEST_CASE("sweep: a table for which there is no space is told to be written again from its journal") {
+  Folder folder;
+  const std::vector<std::string> lengths = {"--set", "length=1,2"};
+  REQUIRE(sweep_pendulum(folder, lengths).code == 0);
+  std::filesystem::remove(folder / "t.csv");
+  Process::Options full = options({"sweep", "pendulum.lua", "--until", "0.2", "--out", "t.csv"}, folder.path);
+  full.arguments.insert(full.arguments.begin(),
+                        {"sh", "-c", "{ (ulimit -f 0; exec \"$@\"); echo code $?; } 2>&1 | cat", "sh"});
+  full.arguments.insert(full.arguments.end(), lengths.begin(), lengths.end());
+  CHECK_THAT(finish(full).out,
+             Contains("t.csv.journal, and once there is space the same command writes the table from it\ncode 1"));
+  CHECK(sweep_pendulum(folder, lengths).code == 0);
+  CHECK(rows_of(read_file(folder / "t.csv")).size() == 3);
+}
+
+TEST_CASE("sweep: results come before probes in the table, whichever case is the first to tell any") {
+  Folder folder;
+  write_file(folder / "late.lua", R"(
+    local v = scene:param("v", 1)
+    scene:probe("x", function() return 7 end)
+    if v > 1 then scene:result("r" .. v, v) end
+  )");
+  REQUIRE(use(folder, {"sweep", "late.lua", "--set", "v=1,3,2", "--until", "0.01", "--out", "t.csv"}).code == 0);
+  const auto rows = rows_of(read_file(folder / "t.csv"));
+  CHECK_THAT(rows.at(0), Contains("case,v,r3,r2,x last,x least,x largest,time"));
+  CHECK_THAT(rows.at(1), Contains("0,1,,,7,7,7,"));
+  CHECK_THAT(rows.at(3), Contains("2,2,,2,7,7,7,"));
 }
 
 TEST_CASE("sweep: without a terminal a line tells now and then how far it is", "[slow]") {
@@ -299,6 +350,20 @@ TEST_CASE("sweep: processes that mpirun starts come to the same table, or are to
   if (run.err.find("built without MPI") != std::string::npos) return;
   CHECK(run.code == 0);
   CHECK(read_file(three / "t.csv") == read_file(one / "t.csv"));
+}
+
+TEST_CASE("sweep: what is wrong is told by the first of several processes alone") {
+  if (!have_program("mpirun")) return;
+  Folder folder;
+  write_file(folder / "pendulum.lua", pendulum);
+  Process::Options started = options({"sweep", "pendulum.lua", "--set", "mass=1,2", "--out", "t.csv"}, folder.path);
+  started.arguments.insert(started.arguments.begin(), {"mpirun", "--oversubscribe", "-n", "3"});
+  started.environment.insert(started.environment.end(),
+                             {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  const Finished run = finish(started);
+  const std::size_t at = run.err.find("no parameter 'mass'");
+  CHECK(at != std::string::npos);
+  CHECK(run.err.find("no parameter 'mass'", at + 1) == std::string::npos);
 }
 
 TEST_CASE("sweep: where a rank loses the process that runs its cases all end, and the same command goes on") {

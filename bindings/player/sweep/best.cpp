@@ -31,8 +31,9 @@ std::uint64_t seeds_of(const std::vector<Axis>& axes) {
 bool is_text(const std::string& measure) { return measure == "hash" || measure == "error"; }
 
 const std::string* cell_of(const Cases& cases, const CaseRow& row, const std::string& column) {
-  for (const auto& [name, value] : row.told)
-    if (told_column(cases, name) == column) return &value;
+  for (const Cells* cells : {&row.told, &row.probes})
+    for (const auto& [name, value] : *cells)
+      if (told_column(cases, name) == column) return &value;
   for (const auto& [name, value] : row.measured)
     if (name == column && !is_text(name)) return &value;
   return nullptr;
@@ -47,7 +48,8 @@ std::optional<double> number_of_cell(const std::string& cell) {
 
 std::string columns_of(const Cases& cases, const CaseRow& row) {
   std::string all;
-  for (const auto& [name, value] : row.told) all += (all.empty() ? "" : ", ") + told_column(cases, name);
+  for (const Cells* cells : {&row.told, &row.probes})
+    for (const auto& [name, value] : *cells) all += (all.empty() ? "" : ", ") + told_column(cases, name);
   for (const auto& [name, value] : row.measured)
     if (!is_text(name)) all += (all.empty() ? "" : ", ") + name;
   return all;

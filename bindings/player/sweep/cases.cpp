@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "player/csv.hpp"
 #include "scene/errors.hpp"
@@ -14,6 +15,27 @@ namespace {
 
 constexpr std::uint64_t most_cases = 1'000'000;
 constexpr std::uint64_t seed_of_samples = 1;
+
+/// A list in which a value may be in quotes, "a,b", and have commas then.
+std::vector<std::string> split_list(const std::string& setting, const std::string& list) {
+  std::vector<std::string> values;
+  for (std::size_t from = 0; from <= list.size();) {
+    std::size_t end = list.find(',', from);
+    if (list[from] != '"') {
+      end = std::min(end, list.size());
+      values.push_back(list.substr(from, end - from));
+    } else {
+      const std::size_t close = list.find('"', from + 1);
+      if (close == std::string::npos || (close + 1 < list.size() && list[close + 1] != ','))
+        throw UsageError(
+            text("'", setting, "': a value in quotes ends with a quote, and a comma or the end follows it"));
+      values.push_back(list.substr(from + 1, close - from - 1));
+      end = close + 1;
+    }
+    from = end + 1;
+  }
+  return values;
+}
 
 std::vector<std::string> split(const std::string& text, char by) {
   std::vector<std::string> parts{""};
@@ -47,11 +69,22 @@ void read_range(Axis& axis, const std::vector<std::string>& parts, const std::st
   const std::size_t told = parts.size() - (axis.logarithmic ? 1 : 0);
   if (told > 3) refuse_values(setting, "that is no range");
   if (told == 3) {
-    const auto count = number_of<std::uint64_t>(parts[2]);
-    if (!count || *count < 2) refuse_values(setting, "the count of a range must be a whole number from 2 on");
-    axis.count = *count;
+    const auto count = number_of<double>(parts[2]);
+    if (!count || !(*count >= 2.0) || *count != std::floor(*count))
+      refuse_values(setting, "the count of a range must be a whole number from 2 on");
+    axis.count = static_cast<std::uint64_t>(std::min(*count, 1e18));  // which is too many, and told so
   }
   if (axis.logarithmic && !(axis.from > 0.0 && axis.to > 0.0)) refuse_values(setting, "a logarithm needs ends above 0");
+}
+
+/// Each would be run twice.
+void refuse_duplicates(const std::string& setting, const std::vector<std::string>& values) {
+  std::set<std::string> met;
+  for (const std::string& value : values) {
+    const auto number = number_or_fraction(value);
+    if (!met.insert(number ? number_text(*number) : value).second)
+      throw UsageError(text(setting, " has ", value, " twice"));
+  }
 }
 
 }  // namespace
@@ -104,12 +137,13 @@ Axis read_axis(const std::string& setting) {
   axis.name = setting.substr(0, equals);
   const std::string told = setting.substr(equals + 1);
   const std::vector<std::string> parts = split(told, ':');
-  if (parts.size() > 1 && told.find(',') == std::string::npos)
+  if (parts.size() > 1 && told.find_first_of(",\"") == std::string::npos)
     read_range(axis, parts, setting);
   else
-    axis.values = split(told, ',');
+    axis.values = split_list(setting, told);
   if (axis.values.size() > 1 && std::ranges::count(axis.values, ""))
     refuse_values(setting, "a value of the list is missing");
+  refuse_duplicates("--set " + setting, axis.values);
   return axis;
 }
 
@@ -124,11 +158,12 @@ Axis read_seeds(const std::string& seeds) {
     axis.whole = true;
   } else {
     if (ends.size() == 2 && first && last && *first > *last)
-      throw UsageError(text("--seeds ", seeds, ": the first comes before the last, ", ends[1], ':', ends[0]));
+      throw UsageError(text("--seeds: the first comes before the last, ", ends[1], ':', ends[0], ", not ", seeds));
     axis.values = split(seeds, ',');
     for (const std::string& seed : axis.values)
       if (!number_of<std::uint64_t>(seed))
-        throw UsageError(text("--seeds ", seeds, ": must be FIRST:LAST or a list of whole numbers, 1,5,9"));
+        throw UsageError(text("--seeds must be FIRST:LAST or a list of whole numbers, 1,5,9, not '", seeds, "'"));
+    refuse_duplicates("--seeds " + seeds, axis.values);
   }
   axis.name = "scene.seed";
   axis.of_seeds = true;

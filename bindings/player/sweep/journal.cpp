@@ -38,6 +38,7 @@ Cells cells_of(const Json& list) {
 std::string line_of(const CaseRow& row) {
   const Json json = {{"case", row.number},
                      {"told", json_of_cells(row.told)},
+                     {"probes", json_of_cells(row.probes)},
                      {"measured", json_of_cells(row.measured)},
                      {"files", json_of_cells(row.files)}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -47,7 +48,7 @@ CaseRow row_of(const std::string& line) {
   try {
     const Json json = Json::parse(line);
     return {json.at("case").get<std::uint64_t>(), cells_of(json.at("told")), cells_of(json.at("measured")),
-            cells_of(json.at("files"))};
+            cells_of(json.at("files")), cells_of(json.value("probes", Json::array()))};
   } catch (const Json::exception& error) { throw Error(text("that is no row of a sweep: ", error.what())); }
 }
 
@@ -87,7 +88,10 @@ void Journal::open() {
     }
     ::close(file_);
     if (failed != 0)
-      throw UsageError(text("another sweep is writing ", path_, "; give this one a table of its own with --out"));
+      throw UsageError(text("another sweep is writing ", path_,
+                            ": if it is this one, whose processes are still ending, wait until "
+                            "they have, some seconds, and start it again; else give this one a table of its own with "
+                            "--out"));
   }
 }
 
@@ -112,7 +116,7 @@ void Journal::read(const std::string& content, const std::string& sweep) {
     line++;
     const auto refuse = [&](const char* why) {
       throw UsageError(
-          text(path_, ":", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
+          text(path_, ", line ", line, ": ", why, "; delete the file to begin the sweep anew, or give another --out"));
     };
     if (text_.size() < 17 || hash_text(text_.substr(17)) != text_.substr(0, 16)) refuse("this line was changed");
     if (line == 1 && text_.substr(17) != sweep && wish_.retry)
@@ -145,9 +149,11 @@ void Journal::check_table() const {
   if (wish_.overwrite) return;
   const auto there = file_content(table_);
   if (!there || tables_.contains(hash_text(*there)) || (there->empty() && tables_.empty())) return;
-  if (!tables_.empty())
-    throw UsageError(text(table_, " was changed since this sweep wrote it: move it away, or lose it with --overwrite"));
-  throw UsageError(text(table_, " is there already: give another --out, or lose it with --overwrite"));
+  const char* const kept = "move it away and start again, what is done is kept; or lose it with --overwrite";
+  if (!tables_.empty()) throw UsageError(text(table_, " was changed since this sweep wrote it: ", kept));
+  throw UsageError(text(table_, " is there already",
+                        rows_.empty() ? ": give another --out, or lose it with --overwrite"
+                                      : text(", and this sweep did not write it: ", kept)));
 }
 
 void Journal::cut_off_at(std::size_t size) {
@@ -159,7 +165,8 @@ void Journal::write_line(const std::string& content) {
   const std::string line = checked(content);
   const ssize_t written = write(file_, line.data(), line.size());
   require(written == static_cast<ssize_t>(line.size()), "cannot write ", path_, ": ",
-          written < 0 ? std::strerror(errno) : "there is no space left");
+          written < 0 ? std::strerror(errno) : "there is no space left",
+          "; once it can be the same command goes on with the rest");
 }
 
 void Journal::add(CaseRow row) {

@@ -68,7 +68,7 @@ void tell_scene(CaseRow& row, const Scene& scene, const std::string& failure) {
   const auto is_taken = [&](const std::string& name) { return is_probe_column(world, name); };
   for (const auto& [name, value] : scene.results())
     row.told.emplace_back(free_name(name, " told", is_taken), result_cell(value));
-  for (const Probe& probe : world.probes) tell_probe(row.told, probe);
+  for (const Probe& probe : world.probes) tell_probe(row.probes, probe);
   const Stats& stats = world.stats;
   const Accuracy worst = fields::worst_accuracy(world);
   row.measured = {{"time", number_text(world.time)},
@@ -158,8 +158,12 @@ std::vector<Column> case_columns(const Cases& cases, const std::map<std::uint64_
   }
   std::vector<std::string> told;
   for (const auto& [number, row] : rows) add_names(told, row.told);
+  for (const auto& [number, row] : rows) add_names(told, row.probes);
   for (const std::string& name : told)
-    add(told_column(cases, name), "", [&](const CaseRow& row) { return cell_of(row.told, name); });
+    add(told_column(cases, name), "", [&](const CaseRow& row) {
+      const std::string& result = cell_of(row.told, name);
+      return result.empty() ? cell_of(row.probes, name) : result;
+    });
   for (const std::string name : measures)
     if (timed || name != "seconds")
       add(name, unit_of(name), [&](const CaseRow& row) { return cell_of(row.measured, name); });

@@ -18,9 +18,10 @@ using Cells = std::vector<std::pair<std::string, std::string>>;
 
 struct CaseRow {
   std::uint64_t number = 0;
-  Cells told;      ///< the scene's results, and of each probe the last, least and largest value
-  Cells measured;  ///< of `measures`, those that are known; one that failed has "error"
-  Cells files;     ///< that it read, with a hash of each
+  Cells told;         ///< the scene's results
+  Cells measured;     ///< of `measures`, those that are known; one that failed has "error"
+  Cells files;        ///< that it read, with a hash of each
+  Cells probes = {};  ///< of each the last, least and largest value
 };
 
 /// Columns that every table has, in their order: `seconds` only where it is timed.

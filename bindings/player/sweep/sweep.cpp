@@ -100,6 +100,18 @@ int tell_end(const SweepOptions& options, const Rows& rows, const Best* best) {
   return bad == rows.size() || (best && found.empty()) ? 1 : 0;
 }
 
+void write_table(const std::string& path, const std::string& content, Journal& journal) {
+  try {
+    Output table(path);
+    table.write(content);
+    journal.check_table();
+    journal.finish([&] { table.keep(); }, content);
+  } catch (const UsageError&) { throw; } catch (const Error& error) {
+    throw Error(text(error.what(), ": all rows are in ", path,
+                     ".journal, and once there is space the same command writes the table from it"));
+  }
+}
+
 /// Of the process that writes it.
 int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ranks, Cases& cases,
                 const std::function<std::string(const std::string&)>& work) {
@@ -119,12 +131,7 @@ int write_sweep(const SweepOptions& options, const std::string& sweep, Ranks* ra
     return 1;
   }
   const std::string content = table_content(options.out, case_columns(cases, rows, options.timed));
-  if (!journal.is_finished() || file_content(options.out) != content) {
-    Output table(options.out);
-    table.write(content);
-    journal.check_table();
-    journal.finish([&] { table.keep(); }, content);
-  }
+  if (!journal.is_finished() || file_content(options.out) != content) write_table(options.out, content, journal);
   if (!best && failures(rows) > 0) say("the same command with --retry-failed runs those that failed again");
   return tell_end(options, rows, best ? &*best : nullptr);
 }
