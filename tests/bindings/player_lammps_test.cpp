@@ -177,7 +177,7 @@ TEST_CASE("lammps: what is exported is the scene to the last digit, with its mas
   CHECK_THAT(read_file(folder / "files/scene.data"), Contains("0 9 xlo xhi") && Contains("3 atom types"));
   CHECK_THAT(read_file(folder / "files/in.scene"),
              Contains("rigid/small molecule") && Contains("boundary p p p") && Contains("Units"));
-  CHECK_THAT(export_scene(folder, springs).out, Contains("216 particles of 1 types, 540 bonds"));
+  CHECK_THAT(export_scene(folder, springs).out, Contains("216 particles of 1 type, 540 bonds, 0 bodies"));
   CHECK_THAT(read_file(folder / "files/in.scene"),
              Contains("boundary m m m") && Contains("fix gravity all gravity 9.81 vector 0 -9.81 0"));
 }
@@ -354,6 +354,8 @@ TEST_CASE("lammps: an lmp that is missing, old, another program, fails, dies or 
       told(fake_lmp(folder, says_version + "touch log.lammps; echo 'ERROR: Lost atoms: original 4 current 3'; exit 1")),
       Contains("LAMMPS: ERROR: Lost atoms") && Contains("the step is too long") && Contains("back/log.lammps"));
   CHECK_THAT(told(fake_lmp(folder, says_version + "kill -9 $$")), Contains("ended by signal 9 (Killed)"));
+  CHECK_THAT(told(fake_lmp(folder, says_version + "echo 'Exit code:    137'; exit 137")),
+             Contains("ended by signal 9 (Killed), as the system does where memory is short"));
   std::filesystem::remove(folder / "back/log.lammps");
   CHECK_THAT(told(fake_lmp(folder, says_version + "exit 3")),
              Contains("it ended with exit code 3") && !Contains("log.lammps"));
@@ -370,6 +372,78 @@ TEST_CASE("lammps: an lmp that is missing, old, another program, fails, dies or 
                                 "(echo ITEM: NUMBER OF ATOMS; echo 500; echo ITEM: ATOMS; echo 1 nan) > start.dump; "
                                 "echo 'pantin: energy 1'; echo 'pantin: start.dump is there'")),
       Contains("start.dump"));
+}
+
+TEST_CASE("lammps: a law that is NaN somewhere is told to be, and where") {
+  const Folder folder;
+  const auto why = [&](const char* law) {
+    return export_scene(folder, std::string("scene.gravity, scene.box = vec(0, 0, 0), vec(9, 9, 9)\n") +
+                                    "local f = scene:family 'f' for i = 1, 2 do scene:particle { at = vec(i, 0, 0), "
+                                    "family = f } end\nscene:interact(f, f, force.pair { cutoff = 2, tension = " +
+                                    law + " })")
+        .err;
+  };
+  CHECK_THAT(why("function(r) return math.sqrt(r - 1) end"), Contains("It is NaN at 0.99 m"));
+  CHECK_THAT(why("function(r) return math.sqrt(r - 1.2) end"), Contains("(NaN) at 1 m"));
+  CHECK_THAT(why("function(r) return math.sqrt((r - 1.4) ^ 2 - 0.01) end"), Contains("finite number at 1.5 m (NaN)"));
+}
+
+TEST_CASE("lammps: what is printed to be typed is quoted, and what an export before left is set aside") {
+  const Folder folder;
+  write_file(folder / "scene.lua", melt);
+  const std::vector<std::string> arguments = {"export", "scene.lua", "--lammps", "my files", "--set", "cells=3"};
+  CHECK_THAT(use(folder, arguments).out, Contains("cd 'my files' && lmp -in in.scene") &&
+                                             Contains("--set cells=3 --from-dump 'my files/end.dump'"));
+  write_file(folder / "my files/end.dump", "old");
+  CHECK_THAT(use(folder, arguments).out, Contains("left of an export before is my files/earlier-end.dump now"));
+  CHECK_FALSE(std::filesystem::exists(folder / "my files/end.dump"));
+  CHECK(read_file(folder / "my files/earlier-end.dump") == "old");
+}
+
+TEST_CASE("lammps: a dump of an export with other parameters is refused") {
+  const Folder folder;
+  write_file(folder / "scene.lua", "local k = scene:param('k', 1.0)\nscene:particle { at = vec(0, 0, 0) }");
+  REQUIRE(use(folder, {"export", "scene.lua", "--lammps", "files", "--until", "1", "--set", "k=2"}).code == 0);
+  write_file(folder / "files/end.dump",
+             "ITEM: TIMESTEP\n120\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 "
+             "1\nITEM: ATOMS id xu yu zu vx vy vz\n1 4 1 0 0 0 1\n");
+  const auto bring = [&](const char* set) {
+    return use(folder, {"lammps", "scene.lua", "--from-dump", "files/end.dump", "--set", set, "--out", "b c.pantin"});
+  };
+  const Finished other = bring("k=3");
+  CHECK(other.code == 2);
+  CHECK_THAT(other.err, Contains("of an export with other parameters, k=2, and here they are k=3"));
+  CHECK_THAT(bring("k=2.0").out, Contains("1 particle of step 120") && Contains("(pantin play 'b c.pantin')"));
+}
+
+TEST_CASE("lammps: where the state cannot be saved the dump stays, and is not lost without a wish") {
+  const Folder folder;
+  write_file(folder / "scene.lua", "scene.gravity = vec(0, 0, 0) scene:particle { at = vec(0, 0, 0) }");
+  const std::string path = fake_lmp(folder, says_version + R"(
+    head='ITEM: TIMESTEP\n120\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS mm mm mm\n0 1\n0 1\n0 1\nITEM: ATOMS id'
+    printf "$head fx fy fz\n1 0 0 0\n" > start.dump
+    printf "$head xu yu zu vx vy vz\n1 4 1 0 0 0 1\n" > end.dump
+    echo 'pantin: energy 0'; echo 'pantin: start.dump is there'; echo 'pantin: energy at the end 0'
+    mkdir -p ../gone; rm -r ../gone
+  )");
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"lammps", "scene.lua", "--until", "0.5",   "--ranks",
+                                          "1",      "--folder",  "files",   "--out", "gone/a b.pantin"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Process::Options all = options(arguments, folder.path);
+    all.environment.push_back("PATH=" + path);
+    return finish(all);
+  };
+  std::filesystem::create_directories(folder / "gone");
+  const Finished first = run({});
+  INFO(first.out << first.err);
+  CHECK(first.code != 0);
+  CHECK_THAT(first.err, Contains("pantin lammps scene.lua --from-dump files/end.dump --out 'gone/a b.pantin'"));
+  CHECK(std::filesystem::exists(folder / "files/end.dump"));
+  std::filesystem::create_directories(folder / "gone");
+  CHECK_THAT(run({}).err,
+             Contains("files/end.dump is left of a run whose end was not saved") && Contains("--overwrite"));
+  CHECK(use(folder, {"lammps", "scene.lua", "--from-dump", "files/end.dump", "--out", "back.pantin"}).code == 0);
 }
 
 TEST_CASE("lammps: Ctrl-C ends LAMMPS, too, and brings nothing back") {

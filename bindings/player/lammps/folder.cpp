@@ -67,6 +67,8 @@ void remove_file(const std::string& folder, const std::string& name) {
 
 constexpr const char* made_for = ", for LAMMPS of 29 September 2021 or newer:\n";  // ends a script's first line
 
+constexpr const char* set_begins = "# Parameters of the scene: ";
+
 bool is_export(const std::string& folder) {
   const auto script = file_content((fs::path(folder) / "in.scene").string());
   return script && script->substr(0, script->find('\n') + 1).ends_with(made_for);
@@ -269,6 +271,7 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
   for (std::size_t i = 0; i < system.types.size(); i++)
     out += text("# Type ", i + 1, ": ", words(describe(world, system, system.types[i])), ", ", system.types[i].mass,
                 " kg, ", system.types[i].count, " of them\n");
+  out += set_begins + words(task.set) + "\n";
   if (!task.back.empty()) out += "# Back into the scene: " + words(task.back) + "\n";
   for (const std::string& note : task.notes) out += "# Note: " + words(note) + "\n";
   return out;
@@ -405,6 +408,25 @@ void write_lammps(const std::string& folder, const World& world, const LammpsSys
   else
     remove_file(folder, "laws.lepton");
   write_file(folder, "in.scene", script_text(world, system, task, lepton));
+}
+
+std::string other_set_in(const std::string& folder, const std::string& set) {
+  const auto script = file_content((fs::path(folder) / "in.scene").string());
+  const std::size_t at = script && is_export(folder) ? script->find(set_begins) : std::string::npos;
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + std::string_view(set_begins).size();
+  const std::string told = script->substr(from, script->find('\n', from) - from);
+  return told == words(set) ? "" : told;
+}
+
+std::vector<std::string> set_results_aside(const std::string& folder) {
+  std::vector<std::string> aside;
+  for (const char* name : {"end.dump", "first.restart", "second.restart"}) {
+    if (!has_file(folder, name)) continue;
+    aside.push_back((fs::path(folder) / text("earlier-", name)).string());
+    fs::rename(fs::path(folder) / name, aside.back());
+  }
+  return aside;
 }
 
 }  // namespace pantin::player

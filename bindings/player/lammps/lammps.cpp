@@ -13,6 +13,7 @@
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "lua/scene/open.hpp"
+#include "player/csv.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/lammps/dump.hpp"
@@ -64,8 +65,10 @@ std::vector<std::string> notes_of(const Scene& scene, const LammpsSystem& system
     notes.push_back(text("the table of ", law, " is off by up to ", rounded(off.first), " below ", rounded(off.second),
                          " m, nearer than anything is now"));
   notes.insert(notes.end(), system.notes.begin(), system.notes.end());
-  if (!world.probes.empty()) notes.push_back(text(world.probes.size(), " probes are not recorded while LAMMPS runs"));
-  if (!system.bodies.empty()) notes.push_back(text(system.bodies.size(), " rigid bodies, a molecule each"));
+  if (!world.probes.empty())
+    notes.push_back(text(amount(world.probes.size(), "probe is", "probes are"), " not recorded while LAMMPS runs"));
+  if (!system.bodies.empty())
+    notes.push_back(text(amount(system.bodies.size(), "rigid body", "rigid bodies"), ", a molecule each"));
   return notes;
 }
 
@@ -90,6 +93,22 @@ void check_scene(const Scene& scene, double until) {
   std::string all = text(scene.file(), " has what LAMMPS cannot be given:");
   for (const std::string& one : refused) all += "\n  " + one;
   throw Error(all);
+}
+
+/// Parameters as they are, and fields as the command line sets them.
+std::string set_of(const Scene& scene, const LammpsScene& wanted) {
+  std::string all;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    all += text(all.empty() ? "" : ", ", name, '=', value);
+  };
+  for (const SceneParameter& p : scene.parameters()) {
+    const auto* const number = std::get_if<double>(&p.value);
+    const auto* const truth = std::get_if<bool>(&p.value);
+    add(p.name, number ? number_text(*number) : truth ? (*truth ? "true" : "false") : std::get<std::string>(p.value));
+  }
+  for (const auto& [name, value] : wanted.options.set)
+    if (name.starts_with("scene.")) add(name, value);
+  return all.empty() ? "none" : all;
 }
 
 /// A scene as LAMMPS is given it.
@@ -119,6 +138,7 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
   given.forces = present_forces(world);
   given.until = world.time + steps * world.settings.step;
   given.task.name = given.scene->file();
+  given.task.set = set_of(*given.scene, wanted);
   given.task.steps = static_cast<std::uint64_t>(steps);
   given.task.every = std::max<std::uint64_t>(1, given.task.steps / 200);
   given.task.law_energy = given.forces.energy;
@@ -267,10 +287,23 @@ std::string free_state_name(const LammpsOptions& options, const LammpsScene& sce
   return name;
 }
 
+/// A word as a shell reads it.
+std::string quoted(const std::string& word) {
+  constexpr const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string all = "'";
+  for (const char c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return all + "'";
+}
+
 /// What LAMMPS wrote elsewhere, as a state of the scene.
 int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
   const std::string out = free_state_name(options, wanted);
   const std::unique_ptr<Scene> scene = open(wanted);
+  const std::string set = set_of(*scene, wanted), other = other_set_in(fs::path(options.dump).parent_path(), set);
+  if (!other.empty())
+    throw UsageError(text(options.dump, " is of an export with other parameters, ", other, ", and here they are ", set,
+                          ": give the same --set"));
   World& world = scene->world();
   const LammpsSystem system = lammps_atoms(world);
   LammpsState state = read_state(options.dump, system, world.settings.box);
@@ -283,18 +316,10 @@ int bring_dump(const LammpsOptions& options, const LammpsScene& wanted) {
              " s by the scene's step; it is taken to be at ", time, " s, as --until says"));
   bring_back(world, system, std::move(state.atoms), time);
   save_state(*scene, out);
-  std::printf("%zu particles of step %.0f, %.10g J by all laws; %g s: %s (pantin play %s)\n", system.atoms.size(),
-              state.step, present_forces(world).energy, time, out.c_str(), out.c_str());
+  std::printf("%s of step %.0f, %.10g J by all laws; %g s: %s (pantin play %s)\n",
+              amount(system.atoms.size(), "particle", "particles").c_str(), state.step, present_forces(world).energy,
+              time, out.c_str(), quoted(out).c_str());
   return 0;
-}
-
-/// A word as a shell reads it.
-std::string quoted(const std::string& word) {
-  constexpr const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
-  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
-  std::string all = "'";
-  for (const char c : word) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return all + "'";
 }
 
 /// The command that does so of a folder's last dump.
@@ -316,12 +341,17 @@ int export_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   Given given = give(options, scene);
   const FolderLock lock(options.folder);
   given.task.back = way_back(options.folder, scene);
+  for (const std::string& name : set_results_aside(options.folder))
+    given.task.notes.push_back(text("what is left of an export before is ", name, " now"));
   write_lammps(options.folder, given.scene->world(), given.system, given.task);
   for (const std::string& note : given.task.notes) std::printf("note: %s\n", note.c_str());
-  std::printf("%zu particles of %zu types, %zu bonds, %zu bodies in %.1f s: cd %s && lmp -in in.scene\nback: %s\n",
-              given.system.atoms.size(), given.system.types.size(), given.system.bonds.size(),
-              given.system.bodies.size(), seconds_since(start), options.folder.c_str(),
-              way_back(options.folder, scene).c_str());
+  const LammpsSystem& system = given.system;
+  std::printf("%s of %s, %s, %s in %.1f s: cd %s && lmp -in in.scene\nback: %s\n",
+              amount(system.atoms.size(), "particle", "particles").c_str(),
+              amount(system.types.size(), "type", "types").c_str(),
+              amount(system.bonds.size(), "bond", "bonds").c_str(),
+              amount(system.bodies.size(), "body", "bodies").c_str(), seconds_since(start),
+              quoted(options.folder).c_str(), given.task.back.c_str());
   return 0;
 }
 
@@ -339,6 +369,9 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   World& world = given.scene->world();
   (void)given.scene->state();  // whether it can be kept in a file is known before hours are spent
   const FolderLock lock(folder);
+  if (const std::string left = (fs::path(folder) / "end.dump").string(); !options.overwrite && fs::exists(left))
+    throw UsageError(text(left, " is left of a run whose end was not saved: ", way_back(folder, scene), " --out ",
+                          quoted(out), " brings it back, or lose it with --overwrite"));
   write_lammps(folder, world, given.system, given.task);
   remove_dumps(folder);
   for (const std::string& note : given.task.notes) say(note);
@@ -346,20 +379,26 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   bring_back(world, given.system, state_by_lmp(folder, ranks, given, listener).atoms, given.until);
   listener.look_at_end();
   check_turns(world, given.system, static_cast<double>(given.task.steps) * world.settings.step, 1.0);
-  save_state(*given.scene, out);
+  try {
+    save_state(*given.scene, out);
+  } catch (const Error& error) {
+    throw Error(text(error.what(), "; what LAMMPS did is kept, and once there is space this makes the state of it: ",
+                     way_back(folder, scene), " --out ", quoted(out)));
+  }
   remove_dumps(folder);
   const double done = static_cast<double>(given.task.steps) * static_cast<double>(given.system.atoms.size());
   std::printf("%s\n", listener.check().told().c_str());
   std::printf(
-      "LAMMPS %s, %d ranks: %llu steps in %.3g s, %.3g million atom-steps/s; total energy %.10g J before, %.10g J "
+      "LAMMPS %s, %s: %llu steps in %.3g s, %.3g million atom-steps/s; total energy %.10g J before, %.10g J "
       "after\n",
-      version.name.c_str(), ranks, static_cast<unsigned long long>(given.task.steps), listener.seconds(),
+      version.name.c_str(), amount(static_cast<std::size_t>(ranks), "rank", "ranks").c_str(),
+      static_cast<unsigned long long>(given.task.steps), listener.seconds(),
       1e-6 * done / std::max(listener.seconds(), 1e-9), listener.first(), listener.last());
   if (world.settings.box && norm(world.settings.gravity) > 0.0)
     std::printf(
         "that has a jump by m g L where a particle crosses the periodic box along gravity: fix gravity of LAMMPS "
         "does not count how often\n");
-  std::printf("%g s: %s (pantin play %s); its files and log are in %s\n", given.until, out.c_str(), out.c_str(),
+  std::printf("%g s: %s (pantin play %s); its files and log are in %s\n", given.until, out.c_str(), quoted(out).c_str(),
               folder.c_str());
   return 0;
 }

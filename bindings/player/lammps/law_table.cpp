@@ -177,15 +177,15 @@ class TableMaker {
     double from = beginning();
     const double to = wish_.to > 0.0 ? wish_.to : end();
     make_between(from, to);
-    require(not_finite_ < 0.7 * nearest_, law_.name(), ": it is no finite number at ", rounded(not_finite_),
-            " m, which is between the ends of its table, ", rounded(from), " and ", rounded(to),
+    require(not_finite_ < 0.7 * nearest_, law_.name(), ": it is no finite number at ", rounded(not_finite_), " m (",
+            what_is_at(not_finite_), "), which is between the ends of its table, ", rounded(from), " and ", rounded(to),
             " m; make it finite there, or end it before by a cutoff");
     require(table_.good_from < 0.7 * nearest_, law_.name(), ": no table of ", table_.r.size(),
             " points follows it to an error of ", wish_.error, " from ", rounded(table_.from()), " to ",
             rounded(table_.to()), " m, down from ", rounded(table_.good_from),
             " m: it jumps, bends in more than one place, has something narrow, or changes too much over that range; "
-            "ask for a "
-            "larger --error, a shorter cutoff, or make it smooth");
+            "ask for a larger --error, a shorter cutoff, or make it smooth",
+            what_is_before(from));
     for (int attempt = 0; attempt < 8 && table_.inner_error > most_inner; attempt++) {
       from = std::sqrt(from * table_.good_from);
       make_between(from, to);
@@ -205,6 +205,18 @@ class TableMaker {
   double far_ = far_straight;
   double not_finite_ = 0.0;  // [m] the farthest at which it was not
 
+  /// "NaN", "infinite" or empty.
+  std::string what_is_at(double r) const {
+    const LawOfDistance::Value v = law_.at(std::span(&r, 1))[0];
+    if (std::isnan(v.energy) || std::isnan(v.force)) return "NaN";
+    return std::isfinite(v.energy) && std::isfinite(v.force) ? "" : "infinite";
+  }
+  /// Of a law that ends where its table begins.
+  std::string what_is_before(double from) const {
+    const std::string what = what_is_at(0.99 * from);
+    return what.empty() ? "" : text(". It is ", what, " at ", rounded(0.99 * from), " m, just before that range");
+  }
+
   double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
   double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
 
@@ -217,9 +229,11 @@ class TableMaker {
       std::vector<double> r;
       for (double distance : wish_.distances) r.push_back(more * distance);
       double energy = 0.0, force = 0.0;
-      for (const LawOfDistance::Value& v : law_.at(r)) {
-        require(std::isfinite(v.energy) && std::isfinite(v.force), law_.name(),
-                ": it is not a finite number where particles are now, the nearest ", nearest_, " m apart");
+      const std::vector<LawOfDistance::Value> values = law_.at(r);
+      for (std::size_t i = 0; i < r.size(); i++) {
+        const LawOfDistance::Value& v = values[i];
+        require(std::isfinite(v.energy) && std::isfinite(v.force), law_.name(), ": it is not a finite number (",
+                what_is_at(r[i]), ") at ", r[i], " m, as far as particles are apart now, the nearest ", nearest_, " m");
         energy += std::abs(v.energy);
         force += std::abs(v.force);
         largest_energy_ = std::max(largest_energy_, std::abs(v.energy));

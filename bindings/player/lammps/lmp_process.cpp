@@ -178,6 +178,11 @@ std::string remedy_for(const std::string& error) {
   return "";
 }
 
+std::string ended_by(int signal) {
+  return text("it was ended by signal ", signal, " (", strsignal(signal), ")",
+              signal == SIGKILL ? ", as the system does where memory is short" : "");
+}
+
 std::string what_went_wrong(int status, int ranks, const LastLines& lines) {
   if (!lines.with({"not enough slots"}).empty())
     return text("mpirun has no place for ", ranks, " processes on this machine, which has ",
@@ -185,8 +190,9 @@ std::string what_went_wrong(int status, int ranks, const LastLines& lines) {
                 " processors: give fewer --ranks, or let them take turns (export OMPI_MCA_rmaps_base_oversubscribe=1)");
   if (const std::string error = lines.with({"ERROR"}); !error.empty()) return error + remedy_for(error);
   if (const std::string signal = lines.with({"exited on signal"}); !signal.empty()) return signal;
-  if (WIFSIGNALED(status))
-    return text("it was ended by signal ", WTERMSIG(status), " (", strsignal(WTERMSIG(status)), ")");
+  if (WIFSIGNALED(status)) return ended_by(WTERMSIG(status));
+  constexpr int of_signal = 128;  // what mpirun and shells add to it
+  if (const int signal = WEXITSTATUS(status) - of_signal; signal > 0 && signal < NSIG) return ended_by(signal);
   const std::string last = lines.last();
   return text("it ended with exit code ", WEXITSTATUS(status), last.empty() ? "" : ", and said last: " + last);
 }
