@@ -178,9 +178,10 @@ std::string remedy_for(const std::string& error) {
   return "";
 }
 
+constexpr const char* killed = ", as the system does where memory is short";
+
 std::string ended_by(int signal) {
-  return text("it was ended by signal ", signal, " (", strsignal(signal), ")",
-              signal == SIGKILL ? ", as the system does where memory is short" : "");
+  return text("it was ended by signal ", signal, " (", strsignal(signal), ")", signal == SIGKILL ? killed : "");
 }
 
 std::string what_went_wrong(int status, int ranks, const LastLines& lines) {
@@ -189,7 +190,8 @@ std::string what_went_wrong(int status, int ranks, const LastLines& lines) {
                 std::thread::hardware_concurrency(),
                 " processors: give fewer --ranks, or let them take turns (export OMPI_MCA_rmaps_base_oversubscribe=1)");
   if (const std::string error = lines.with({"ERROR"}); !error.empty()) return error + remedy_for(error);
-  if (const std::string signal = lines.with({"exited on signal"}); !signal.empty()) return signal;
+  if (const std::string signal = lines.with({"exited on signal"}); !signal.empty())
+    return signal + (signal.find("signal 9") != std::string::npos ? killed : "");
   if (WIFSIGNALED(status)) return ended_by(WTERMSIG(status));
   constexpr int of_signal = 128;  // what mpirun and shells add to it
   if (const int signal = WEXITSTATUS(status) - of_signal; signal > 0 && signal < NSIG) return ended_by(signal);
