@@ -1,8 +1,12 @@
 // A traced law is compared with its function while the scene runs.
 #include <catch2/catch.hpp>
+#include <string>
+#include <variant>
 
+#include "forces/forces.hpp"
 #include "laws/law.hpp"
 #include "lua/scene/open.hpp"
+#include "measure/measure.hpp"
 #include "step/step.hpp"
 #include "world/world.hpp"
 
@@ -41,4 +45,57 @@ TEST_CASE("a traced law that agrees with its function stays traced") {
   CHECK(scene->world().failure == "");
   CHECK(scene->world().log.empty());
   CHECK_FALSE(scene->world().interactions.at_slot(0).law->called);
+}
+
+namespace {
+
+/// A pair law, a field and a connection that read what is set after them.
+const char* const filled_in_later = R"(
+  scene.gravity, scene.box = vec(0, 0, 0), vec(12, 12, 12)
+  local constants, f = { k = 1 }, scene:family "f"
+  local a, b = scene:particle { family = f, at = vec(5, 5, 5) }, scene:particle { family = f, at = vec(7, 5, 5) }
+  local pairs = scene:interact(f, f, force.pair { cutoff = 3, potential = function(r) return constants.k * (3 - r) ^ 3 end })
+  local bond = scene:connect(a, b, force.pair { potential = function(r) return constants.k * (r - 1) ^ 2 end })
+  local field = scene:field(f, force.point { potential = function(p) return constants.k * p.position.x end })
+  constants.k = 3
+)";
+
+}  // namespace
+
+TEST_CASE("a law reads what the file sets after it, before the first step and in a state that is kept of then") {
+  const auto opened = lua::open_scene_text(filled_in_later, "scene.lua", ".", {});
+  CHECK(energy(opened->world()).potential == Approx(3.0 * (1.0 + 1.0 + 12.0)));
+  CHECK(present_forces(opened->world()).on[0][0] == Approx(-3.0 * (3.0 - 2.0 + 1.0)));
+  const auto kept = lua::open_state(opened->state(), "state", {});
+  CHECK(energy(kept->world()).potential == Approx(42.0));
+  kept->step();
+  opened->step();
+  CHECK(energy(opened->world()).potential == Approx(42.0).epsilon(1e-3));
+  CHECK(energy(opened->world()).potential == energy(kept->world()).potential);
+}
+
+TEST_CASE("energies that a script reads are of laws with what it has set so far") {
+  const auto scene = lua::open_scene_text(std::string(filled_in_later) + R"(
+    scene:result("all", scene.energy.potential)
+    scene:result("family", f.energy.potential)
+    scene:result("pairs", pairs.energy)
+    constants.k = 1
+    scene:result("bond", bond.energy)
+    scene:result("field", field.energy)
+    scene:at(0, function()
+      constants.k = 2
+      scene:result("later", scene.energy.potential)
+      constants.k = 4
+    end)
+  )",
+                                          "scene.lua", ".", {});
+  const auto told = [&](const char* name) { return std::get<double>(scene->results().at(name)); };
+  CHECK(told("all") == Approx(42.0));
+  CHECK(told("pairs") == Approx(3.0));
+  CHECK(told("bond") == Approx(1.0));
+  CHECK(told("field") == Approx(12.0));
+  scene->step();
+  CHECK(told("later") == Approx(28.0));
+  CHECK(energy(scene->world()).potential == Approx(56.0).epsilon(1e-2));
+  CHECK(scene->world().log.empty());
 }

@@ -157,11 +157,16 @@ bool follow_changes(World& world, TracedAtWork& at_work) {
 
 }  // namespace
 
+void renew_laws(World& world, LawsAtWork& laws) {
+  std::erase_if(laws.traced, [&](TracedAtWork& t) {
+    return !alive(world, t.id) || (has_changed(t.law) && follow_changes(world, t));
+  });
+}
+
 void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs) {
   if (laws.traced.empty()) return;
+  if (std::exchange(laws.runs_seen, runs) != runs) renew_laws(world, laws);
   std::erase_if(laws.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
-  if (std::exchange(laws.runs_seen, runs) != runs)
-    std::erase_if(laws.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(world, t); });
   if (!std::has_single_bit(world.steps)) return;
   for (std::size_t i = 0; i < laws.traced.size(); i++) {
     const TracedAtWork at_work = laws.traced[i];

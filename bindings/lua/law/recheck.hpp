@@ -22,9 +22,11 @@ struct LawsAtWork {
 
 /// Remembers a law that was put to work, if it was traced from a function.
 void watch_law(LawsAtWork& laws, const AnyId& id, const ResolvedLaw& law);
-/// After scripts may have run: a law that reads what they changed is traced again, from now on; one for which they do so all
-/// the time is called from then on, with a warning. The same for a law that disagrees with its function, in a step whose time
-/// for it has come. `runs`: of the scripts so far.
+/// A law that reads what scripts have changed is traced again, from now on; one for which they do so all the time is called
+/// from then on, with a warning.
+void renew_laws(World& world, LawsAtWork& laws);
+/// The same after scripts may have run, `runs` times so far; and a law that disagrees with its function is called from then
+/// on, with a warning, in a step whose time for that has come.
 void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs);
 
 }  // namespace pantin::lua

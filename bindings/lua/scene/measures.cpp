@@ -80,6 +80,7 @@ int scene_near(lua_State* state) {
 const Type& any_set_type() {
   static const Type type = [] {
     Type made = type_with(fields::any_set_type());
+    field_named(made, "energy").read = read_energy;
     made.base = &any_thing_type();
     return made;
   }();
@@ -89,6 +90,7 @@ const Type& any_set_type() {
 const Type& any_scene_type() {
   static const Type type = [] {
     Type made = type_with(fields::any_scene_type());
+    field_named(made, "energy").read = read_energy;
     field_named(made, "ledger").read = read_ledger;
     field_named(made, "contact_heat").read = read_contact_heat;
     field_named(made, "stats").read = read_stats;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "lua/law/recheck.hpp"
 #include "lua/scene/heap.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_type.hpp"
@@ -40,6 +41,7 @@ std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::str
     script.runtime.load(state, source, name);
     lua_call(state, 0, 0);
   });
+  renew_laws(script.world, script.laws);
   if (options.changing) script.made = made(script.world);
   if (!options.forgiving) check_parameters_known(script);
   return scene;

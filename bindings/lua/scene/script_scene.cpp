@@ -1,5 +1,6 @@
 #include "lua/scene/script_scene.hpp"
 
+#include "lua/law/recheck.hpp"
 #include "lua/scene/carry_tables.hpp"
 #include "lua/scene/events.hpp"
 #include "lua/scene/layers.hpp"
@@ -40,7 +41,9 @@ void ScriptScene::step() {
 
 bool ScriptScene::set_parameter(const std::string& name, const SceneValue& value) {
   const Outside outside;
-  return change_parameter(script_, name, value);
+  const bool live = change_parameter(script_, name, value);
+  renew_laws(script_.world, script_.laws);
+  return live;
 }
 
 std::vector<std::string> ScriptScene::keys() const {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "lua/law/recheck.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_type.hpp"
 #include "lua/thing/fields.hpp"
@@ -81,6 +82,7 @@ void restore(Script& script, const ScriptSnapshot& snapshot) {
     snapshot.put_back(state, script);
     sweep_data(state, script);
   });
+  renew_laws(script.world, script.laws);
 }
 
 void restore_wanted(Script& script) {

@@ -5,6 +5,7 @@
 
 #include "base/hash.hpp"
 #include "lua/law/force_library.hpp"
+#include "lua/law/recheck.hpp"
 #include "lua/scene/heap.hpp"
 #include "lua/scene/kept_functions.hpp"
 #include "lua/scene/open.hpp"
@@ -282,6 +283,7 @@ std::string state_of(Script& script) {
   bool again = goes_again(script);
   visit(to, again);
   visit_sources(to, script);
+  if (!again) renew_laws(script.world, script.laws);
   WayCome way{script.world.steps, state_hash(script.world)};
   try {
     if (again)

@@ -5,6 +5,7 @@
 
 #include "edit/edit.hpp"
 #include "lua/law/law_run.hpp"
+#include "lua/law/recheck.hpp"
 #include "lua/thing/property_values.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
@@ -119,6 +120,11 @@ Field& field_named(Type& type, std::string_view name) {
       std::find_if(type.fields.begin(), type.fields.end(), [&](const Field& f) { return f.name == name; });
   assume(found != type.fields.end());
   return *found;
+}
+
+void read_energy(const Self& self) {
+  if (!self.world.locked && !Runtime::of(self.state).law) renew_laws(self.world, self.script.laws);
+  push_value(self.state, self.script, fields::read(self.world, self.ref.thing, "energy"));
 }
 
 const Type& type_of(Kind kind) {

@@ -76,6 +76,8 @@ std::vector<Field> fields_of(const fields::Type& type);
 Type type_with(const fields::Type& type);
 /// The field of this name, which there is: to give a property a way of being read that is Lua's own.
 Field& field_named(Type& type, std::string_view name);
+/// Reads the field "energy", of laws that see what the script has changed so far.
+void read_energy(const Self& self);
 /// Gives a type what it has in common with others: the fields of a base and of the base's base.
 void add_base(Type& type, const Type& base);
 /// `remove`, which a group has its own of.

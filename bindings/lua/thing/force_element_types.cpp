@@ -82,6 +82,7 @@ const Type& any_force_element_type() {
   static const Type type = [] {
     Type made = type_with(fields::any_force_element_type());
     field_named(made, "parameters").read = read_parameters;
+    field_named(made, "energy").read = read_energy;
     made.base = &any_thing_type();
     return made;
   }();
