@@ -57,7 +57,11 @@ TEST_CASE("refused: each thing once, by its name, with what to do") {
           Contains("give its mass to its points"));
   CHECK_THAT(only("scene:emitter { rate = 1 }"), Contains("an emitter") && Contains("--save-at"));
   CHECK_THAT(only("scene:particle { at = vec(0, 0, 0), lifetime = 3 }"), Contains("a particle whose life ends"));
-  CHECK_THAT(only(two + "scene.plane = \"xy\""), Contains("scene.plane"));
+  CHECK_THAT(only(two + "scene.plane = \"xy\""), Contains("scene.plane") && Contains("stays there"));
+  CHECK_THAT(only(two + "scene.plane = \"xy\" scene:field(scene, force.thermostat { rate = 1, temperature = 1 })"),
+             Contains("scene.plane") && Contains("what the thermostat pushes out of the plane"));
+  CHECK_THAT(only(two + "scene:hand({ path = function(t) return vec(0, t, 0) end }):grab(p)"),
+             Contains("a hand that holds something") && Contains("hand:release()"));
   CHECK_THAT(only(two + "scene:family(\"sand\", { solid = true, radius = 0.1 })"),
              Contains("a solid family") && Contains("force.repel"));
 }
@@ -70,6 +74,9 @@ TEST_CASE("refused: what the script does, and what is set to happen before the e
   CHECK(refused(two + "scene:at(3, function() end)", 2.0).empty());
   CHECK_THAT(only(two + "scene:every(3, function() end)"), Contains("again and again"));
   CHECK_THAT(only(two + "scene:over(1, 2, function() end)"), Contains("an event over a time"));
+  CHECK_THAT(only(two + "scene:bonding { families = dust, near = 0.2, below = 5, above = 10, law = "
+                        "force.spring { stiffness = 10 } }"),
+             Contains("a bonding") && Contains("bonding:cancel()"));
 }
 
 TEST_CASE("refused: laws, with their lines") {

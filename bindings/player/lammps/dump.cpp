@@ -19,6 +19,7 @@ namespace pantin::player {
 namespace {
 
 constexpr double largest = 1e100;  ///< of the numbers of a dump, whose squares are to be finite
+constexpr double latest = 1e15;    ///< timestep of a dump
 
 /// One picture of a text dump: what it is of, the names of its columns, and its rows.
 class Picture {
@@ -136,6 +137,8 @@ void check_box(const Picture& picture, const std::string& path, const Vec3& box)
 LammpsState state_of(Picture picture, const std::string& path, const LammpsSystem& system,
                      const std::optional<Vec3>& box) {
   const std::size_t count = system.atoms.size();
+  require(picture.step >= 0.0 && picture.step <= latest && picture.step == std::floor(picture.step), path,
+          ": it is of timestep ", picture.step, ", which is no number of steps: the dump was altered");
   if (box) check_box(picture, path, *box);
   require(picture.count == count, path, ": it has ", picture.count, " atoms, and the scene has ", count,
           ": LAMMPS lost some, or it is of another scene");

@@ -1,8 +1,10 @@
 #include "player/lammps/refused.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "choreography/bonding.hpp"
 #include "choreography/choreography.hpp"
 #include "laws/curve.hpp"
 #include "laws/law.hpp"
@@ -55,13 +57,22 @@ void look_at_ties(Refusals& refusals) {
   for (ParticleId id : world.particles.ids())
     if (world.particles[id].is_hinge())
       refusals.add("a hinge", describe(world, id), std::string("LAMMPS has rigid bodies but no joints; ") + as_spring);
-  for (ConstraintId id : world.constraints.ids())
-    if (world.constraints[id].enabled)
-      refusals.add(text("a constraint, ", kind_name(world.constraints[id].kind)), describe(world, id),
+  for (ConstraintId id : world.constraints.ids()) {
+    const Constraint& constraint = world.constraints[id];
+    if (constraint.enabled && constraint.hand >= 0)
+      refusals.add("a hand that holds something", describe(world, id),
+                   "let it go (hand:release()), or pull by a field in place of it");
+    else if (constraint.enabled)
+      refusals.add(text("a constraint, ", kind_name(constraint.kind)), describe(world, id),
                    std::string("take it away, or ") + as_spring);
-  if (world.plane.flat())
-    refusals.add("scene.plane", "everything moves in a plane",
-                 "leave it out: what begins in a plane and is pushed along it stays there");
+  }
+  if (!world.plane.flat()) return;
+  const bool thermal = std::ranges::any_of(
+      world.fields.ids(), [&](FieldId id) { return world.fields[id].enabled && world.fields[id].law->thermal; });
+  refusals.add("scene.plane", "everything moves in a plane",
+               thermal ? "leave it out, and hold what the thermostat pushes out of the plane by a field across it, as "
+                         "force.point{ potential = function(p) return 50 * p.position.z ^ 2 end }"
+                       : "leave it out: what begins in a plane and is pushed along it stays there");
 }
 
 void look_at_touch(Refusals& refusals) {
@@ -129,6 +140,10 @@ const char* const after_it =
     "end before it (--until), or run it here to a time after it (pantin run SCENE --until T --save-at T "
     "--save-to later.pantin) and give LAMMPS that state";
 
+const char* const in_pieces =
+    "LAMMPS keeps the connections that there are: let it bond here, cancel it (local bonding = scene:bonding{ … } "
+    "scene:at(T, function() bonding:cancel() end)), save the state after that (--save-at), and give LAMMPS that state";
+
 void look_at_events(const Scene& scene, double until, Refusals& refusals) {
   const World& world = refusals.world();
   for (const std::string& place : scene.behaviours())
@@ -137,6 +152,10 @@ void look_at_events(const Scene& scene, double until, Refusals& refusals) {
   for (EventId id : world.choreography.events.ids()) {
     const Event& event = world.choreography.events[id];
     const std::string place = event.label.empty() ? text("event ", event.serial) : event.label;
+    if (event.progress.target<BondingAtWork>() != nullptr) {
+      refusals.add("a bonding, which makes and breaks connections", place, in_pieces);
+      continue;
+    }
     switch (event.kind) {
       case EventKind::once:
         if (event.time <= until) refusals.add("an event", text(place, ", at ", event.time, " s"), after_it);
