@@ -338,6 +338,114 @@ TEST_CASE("lammps: wrong use is told before anything runs") {
   CHECK_THAT(use(folder, {"export", "none.lua", "--lammps", "x"}).err, Contains("there is no scene 'none.lua'"));
 }
 
+TEST_CASE("lammps: laws are exported with what the file sets after them") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, R"(
+    scene.gravity, scene.box = vec(0, 0, 0), vec(12, 12, 12)
+    local constants, f = { k = 1 }, scene:family "f"
+    local a, b = scene:particle { family = f, at = vec(5, 5, 5) }, scene:particle { family = f, at = vec(7, 5, 5) }
+    scene:interact(f, f, force.pair { cutoff = 3, potential = function(r) return constants.k * (3 - r) ^ 3 end })
+    scene:connect(a, b, force.pair { potential = function(r) return constants.k * (r - 1) ^ 2 end })
+    scene:field(f, force.point { potential = function(p) return constants.k * p.position.x end })
+    constants.k = 3
+  )")
+              .code == 0);
+  CHECK(number_after(read_file(folder / "files/in.scene"), "Energy of all laws here: ") == Approx(42.0));
+  CHECK_THAT(read_file(folder / "files/in.scene"), Contains("variable field1x atom \"(-3"));
+  const auto checked = [&](const char* name, auto energy) {
+    std::istringstream table(read_file(folder / name));
+    int rows = 0;
+    for (std::string line; std::getline(table, line);) {
+      double number = 0, r = 0, told = 0;
+      if (!(std::istringstream(line) >> number >> r >> told)) continue;
+      rows++;
+      if (told != Approx(energy(r)).margin(1e-9)) return false;
+    }
+    return rows > 100;
+  };
+  CHECK(checked("files/pair.table", [](double r) { return 3.0 * std::pow(3.0 - r, 3.0); }));
+  CHECK(checked("files/bond.table", [](double r) { return 3.0 * (r - 1.0) * (r - 1.0); }));
+}
+
+TEST_CASE("lammps: one fast or heavy particle, or a drift of all, makes no table coarser") {
+  const Folder folder;
+  const auto script_with = [&](const std::string& kinetic, const std::string& drift) {
+    REQUIRE(export_scene(folder, R"(
+      scene.gravity, scene.box, scene.step = vec(0, 0, 0), vec(30, 30, 30), 1e-5
+      local f, g = scene:family "f", scene:family("g", { mass = 100 })
+      for i = 0, 26 do
+        scene:particle { at = vec(2, 2, 2) + 1.22 * vec(i % 3, i // 3 % 3, i // 9), velocity = vec(0.1 * (i % 2) + )" +
+                                     drift + R"(, 0, 0), family = f }
+      end
+      scene:particle { at = vec(20, 20, 20), velocity = vec((2 * )" +
+                                     kinetic + " / 100) ^ 0.5 + " + drift + R"(, 0, 0), family = g }
+      scene:interact(f, f, force.pair { cutoff = 2.5,
+        potential = function(r) return -math.exp(-((r - 1.2) / 0.08) ^ 2) + 0.5 * math.exp(-r * r / 0.3) end })
+    )")
+                .code == 0);
+    const std::string script = read_file(folder / "files/in.scene");
+    CHECK_THAT(script, !Contains("beside"));
+    return number_after(script, "PAIR1: scene.lua:8: scene.lua:9, ");  // points
+  };
+  const double calm = script_with("1", "0");
+  CHECK(script_with("1", "1000") == calm);
+  CHECK(script_with("1e5", "0") >= calm);
+}
+
+TEST_CASE("lammps: a law that does nothing yet is held against what its own particles bring along, and that is told") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, R"(
+    scene.gravity, scene.box = vec(0, 0, 0), vec(30, 30, 30)
+    local f, g = scene:family "f", scene:family("g", { mass = 100 })
+    for i = 0, 1 do scene:particle { at = vec(5 + 8 * i, 5, 5), velocity = vec(2 - 4 * i, 0, 0), family = f } end
+    scene:particle { at = vec(20, 20, 20), velocity = vec(30, 0, 0), family = g }
+    scene:interact(f, f, force.pair { cutoff = 2.5, potential = function(r) return 5 * math.max(2 - r, 0) ^ 2 end })
+  )")
+              .code == 0);
+  CHECK_THAT(read_file(folder / "files/in.scene"), Contains(" beside 0.2 J"));
+}
+
+TEST_CASE("lammps: within a family q1 with q2 is q2 with q1, whatever else tells particles apart") {
+  const Folder folder;
+  for (const char* masses : {"1", "3"}) {
+    REQUIRE(export_scene(folder, std::string(R"(
+      scene.gravity, scene.box, scene.step = vec(0, 0, 0), vec(9, 9, 9), 0.001
+      local f = scene:family("f", { attributes = { q = 1 } })
+      for i = 0, 63 do
+        scene:particle { at = 2.1 * vec(i % 4, i // 4 % 4, i // 16), family = f, q = i * 3 % 5 + 1, mass = i % )") +
+                                     masses + R"( + 1 }
+      end
+      scene:interact(f, f, force.pair { cutoff = 3, potential = function(r, a, b) return a.q * b.q / r end })
+    )")
+                .code == 0);
+    const std::string laws = read_file(folder / "files/in.scene");
+    CHECK_THAT(laws, Contains("PAIR15:") && !Contains("PAIR16:"));
+  }
+}
+
+TEST_CASE("lammps: a bond's table ends where its law jumps") {
+  const Folder folder;
+  REQUIRE(export_scene(folder, R"(
+    scene.gravity = vec(0, 0, 0)
+    local a, b = scene:particle { at = vec(0, 0, 0) }, scene:particle { at = vec(1, 0.1, 0) }
+    scene:connect(a, b, force.table { distances = { 0.5, 1, 2 }, tensions = { -5, 0, 3 } })
+  )")
+              .code == 0);
+  CHECK_THAT(read_file(folder / "files/in.scene"), Contains(" to 2.0"));
+}
+
+TEST_CASE("lammps: an open scene may be as small as atoms are") {
+  if (!have_lammps()) return;
+  const std::string small = R"(
+    local A = 1e-10
+    scene.step, scene.gravity, scene.boltzmann = 2e-15, vec(0, 0, 0), 1.380649e-23
+    local f = scene:family("ar", { mass = 6.63e-26 })
+    for i = 0, 63 do scene:particle { at = A * vec(4 * (i % 4), 4.2 * (i // 4 % 4), 4.5 * (i // 16)), family = f } end
+    scene:interact(f, f, force.lennard_jones { epsilon = 1.65e-21, sigma = 3.4e-10 })
+  )";
+  total_energy(small, "1", "2e-13");
+}
+
 TEST_CASE("lammps: an lmp that is missing, old, another program, fails, dies or lies is told in one sentence") {
   const Folder folder;
   const auto told = [&](const std::string& path) {
@@ -592,6 +700,7 @@ TEST_CASE("lammps: what it wrote elsewhere comes back by --from-dump as what it 
     CHECK(bad.code == 1);
     CHECK_THAT(bad.err, Contains("bad.dump") && Contains(why));
   };
+  refused(dump, "TIMESTEP\n", "TIMESTEP\n1e30\n", "it is of timestep 1e+30");
   refused(dump, " xu yu", " xs ys", "it has no column 'xu'");
   refused(dump, "\n1 ", "\n1abc ", "'1abc' is no number");
   refused(dump, " xu yu zu", " x y z", "it has no column 'xu'");

@@ -102,9 +102,9 @@ Bounds bounds_of(const World& world, const LammpsSystem& system) {
   Bounds bounds;
   for (ParticleId id : system.atoms) bounds.add(position(world, id));
   // LAMMPS has no cells for a box that is flat beside the distances that laws reach.
-  double reach = 0.0;
+  double reach = 0.5 * system.nearest;
   for (const LammpsTable& t : system.pair_tables) reach = std::max(reach, t.table.to());
-  return widened(bounds, std::max({1e-6, 0.5 * system.nearest, reach}));
+  return widened(bounds, reach);
 }
 
 std::string data_text(const World& world, const LammpsSystem& system, const std::string& name) {
@@ -260,6 +260,7 @@ std::string header_text(const World& world, const LammpsSystem& system, const La
       out += text("#   ", t.name, ": ", words(t.law), ", ", t.table.r.size(),
                   t.table.spline ? " points, splines" : " points, straight lines", ", from ", t.table.from(), " to ",
                   t.table.to(), " m, error ", rounded(t.table.error),
+                  t.table.beside > 0.0 ? text(" beside ", rounded(t.table.beside), " J") : "",
                   t.table.inner_error > 0.0
                       ? text(" from ", rounded(t.table.good_from), " m on, ", rounded(t.table.inner_error), " before")
                       : "",

@@ -220,8 +220,8 @@ class TableMaker {
   double over(double r) const { return wish_.over == TableOver::square ? r * r : r; }
   double distance(double s) const { return wish_.over == TableOver::square ? std::sqrt(s) : s; }
 
-  /// How large the law is where particles are now, and what its errors are held against: that, or where it does next to nothing
-  /// yet a part of what particles bring along.
+  /// How large the law is where particles are now, and what its errors are held against: that, or where it does nothing yet a
+  /// part of what particles bring along.
   void find_sizes() {
     nearest_ = std::ranges::min(wish_.distances);
     farthest_ = std::ranges::max(wish_.distances);
@@ -246,8 +246,8 @@ class TableMaker {
     }
     energy_size_ = table_.usual_energy;
     force_size_ = table_.usual_force;
-    if (law_.has_energy() && energy_size_ < 1e-3 * wish_.kinetic) {
-      energy_size_ = 0.1 * wish_.kinetic;
+    if (law_.has_energy() && (wish_.idle || largest_energy_ == 0.0) && energy_size_ < 0.1 * wish_.idle_kinetic) {
+      energy_size_ = table_.beside = 0.1 * wish_.idle_kinetic;
       force_size_ = std::max(force_size_, energy_size_ / nearest_);
     }
   }
@@ -279,11 +279,21 @@ class TableMaker {
     return near <= 2.0 * std::abs(law_.at(std::span(&r, 1))[0].force) / r;
   }
 
-  /// The same of a bond's other end.
+  /// The same of a bond's other end; or where its law jumps, as to nothing at a cutoff.
   double end() const {
     double r = farthest_;
     while (r < 8.0 * farthest_ && !is_far(r * 1.03)) r *= 1.03;
-    return std::min(r, wish_.most);
+    r = std::min(r, wish_.most);
+    for (const double kink : law_.kinks(farthest_, r))
+      if (jumps_at(kink)) return kink;
+    return r;
+  }
+
+  bool jumps_at(double r) const {
+    const std::vector<LawOfDistance::Value> sides =
+        law_.at(std::vector<double>{r * (1.0 - 2.0 * one), r * (1.0 + 2.0 * one)});
+    return missing(sides[0].energy, sides[1].energy, energy_size_) > wish_.error ||
+           missing(sides[0].force, sides[1].force, force_size_) > wish_.error;
   }
 
   void make_between(double from, double to) {
@@ -449,7 +459,8 @@ LawTable times(LawTable table, double factor) {
   for (auto* column : {&table.energy, &table.force})
     for (double& value : *column) value *= factor;
   for (double* value : {&table.slope_from, &table.slope_to}) *value *= factor;
-  for (double* value : {&table.usual_energy, &table.usual_force, &table.stiffness}) *value *= std::abs(factor);
+  for (double* value : {&table.beside, &table.usual_energy, &table.usual_force, &table.stiffness})
+    *value *= std::abs(factor);
   return table;
 }
 

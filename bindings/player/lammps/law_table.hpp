@@ -23,8 +23,10 @@ struct TableWish {
   double most = std::numeric_limits<double>::infinity();  ///< [m] where that of a bond ends at the latest
   double error =
       1e-6;  ///< of energy and force between its points, relative to the value there, or to the usual one now
-             ///< where that is more
+             ///< where that is more; of a law that does nothing yet, to a tenth of `idle_kinetic`
   double kinetic = 0.0;                       ///< [J] the largest of a particle now, which a pair may take up
+  bool idle = false;                          ///< no pair is within the law's reach: the distances are made up
+  double idle_kinetic = 0.0;                  ///< [J] which such a pair would bring along
   std::size_t points = 256;                   ///< at least
   std::size_t enough = std::size_t{1} << 18;  ///< where it is as exact as wished from half of the nearest distance on
   bool straight = false;                      ///< by straight lines in any case
@@ -40,6 +42,7 @@ struct LawTable {
   double error = 0.0;          ///< the largest from `good_from` on, see TableWish
   double good_from = 0.0;      ///< [m] the first, but of laws that do not vanish where particles meet
   double inner_error = 0.0;    ///< before that; 0: it is the first
+  double beside = 0.0;         ///< [J] what errors are held against of a law that does nothing yet; 0: what is usual
   double usual_energy = 0.0;   ///< [J] mean size at the distances that there are now, or a hundredth more
   double usual_force = 0.0;    ///< [N] the same
   double stiffness = 0.0;      ///< [N/m] there, the largest, of what pulls back

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/bounds.hpp"
 #include "base/near_positions.hpp"
@@ -22,7 +23,8 @@ bool NearDistances::are_apart(std::uint32_t a, std::uint32_t b) const {
   return system_.body_of[a] == 0 || system_.body_of[a] != system_.body_of[b];
 }
 
-NearDistances::NearDistances(const World& world, const LammpsSystem& system) : world_(world), system_(system) {
+NearDistances::NearDistances(const World& world, const LammpsSystem& system, LeftOut left_out)
+    : world_(world), system_(system), left_out_(std::move(left_out)) {
   const Box box = box_of(world);
   std::vector<Vec3> positions;
   Bounds bounds;
@@ -43,19 +45,20 @@ NearDistances::NearDistances(const World& world, const LammpsSystem& system) : w
     each_image(positions[a], [&](Vec3 image) {
       grid.each(image, [&](std::uint32_t b) {
         if (a == b || !are_apart(a, b)) return;
-        note(a, b, norm(positions[b] - image));
-        found++;
+        if (note(a, b, norm(positions[b] - image))) found++;
       });
     });
   pairs_ = 0.5 * count * static_cast<double>(found) / static_cast<double>(looked_at);
 }
 
-void NearDistances::note(std::uint32_t a, std::uint32_t b, double distance) {
+bool NearDistances::note(std::uint32_t a, std::uint32_t b, double distance) {
   require(distance > 0.0, describe(world_, system_.atoms[a]), " and ", describe(world_, system_.atoms[b]),
           " are at one position; LAMMPS cannot have that");
   const auto i = static_cast<std::size_t>(system_.type_of[a] - 1), j = static_cast<std::size_t>(system_.type_of[b] - 1);
-  by_types_[{std::min(i, j), std::max(i, j)}].push_back(distance);
   nearest_ = std::min(nearest_, distance);
+  if (left_out_(a, b)) return false;
+  by_types_[{std::min(i, j), std::max(i, j)}].push_back(distance);
+  return true;
 }
 
 /// Calls `visit` with the images of a position of the box from which something in it may be near.
@@ -75,7 +78,26 @@ std::vector<double> NearDistances::of(const Interaction& row) const {
     const FamilyId i = system_.types[types.first].family, j = system_.types[types.second].family;
     if ((i == row.a && j == row.b) || (i == row.b && j == row.a)) list.insert(list.end(), near.begin(), near.end());
   }
-  if (list.empty()) list.push_back(spacing_);
+  return list.empty() ? of_some(row) : list;
+}
+
+std::vector<std::uint32_t> NearDistances::some_of(FamilyId family) const {
+  constexpr std::size_t enough = 300;
+  std::vector<std::uint32_t> all, some;
+  for (std::uint32_t i = 0; i < system_.atoms.size(); i++)
+    if (world_.particles[system_.atoms[i]].family == family) all.push_back(i);
+  const std::size_t stride = std::max<std::size_t>(1, all.size() / enough);
+  for (std::size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
+  return some;
+}
+
+std::vector<double> NearDistances::of_some(const Interaction& row) const {
+  const Box box = box_of(world_);
+  std::vector<double> list;
+  for (const std::uint32_t a : some_of(row.a))
+    for (const std::uint32_t b : some_of(row.b))
+      if (a != b && are_apart(a, b) && !left_out_(a, b))
+        list.push_back(norm(box.nearest(position(world_, system_.atoms[a]) - position(world_, system_.atoms[b]))));
   return list;
 }
 

@@ -38,13 +38,15 @@ class SystemMaker {
     for (std::uint32_t atom = 0; atom < made_.atoms.size(); atom++) {
       const ParticleId id = made_.atoms[atom];
       atom_of_[id.slot - 1] = atom;
-      kinetic_ = std::max(kinetic_, 0.5 * type_at(id).mass * norm2(velocity(world_, id)));
     }
-    near_.emplace(world_, made_);
-    made_.nearest = near_->nearest();
+    kinetic_ = kinetic_of([](FamilyId) { return true; });
     for (ConnectionId id : world_.connections.ids())
       if (world_.connections[id].enabled) note(world_.connections[id]);
     settle_exclusions();
+    near_.emplace(world_, made_, [left_out = pairs_left_out()](std::uint32_t a, std::uint32_t b) {
+      return left_out.contains({std::min(a, b), std::max(a, b)});
+    });
+    made_.nearest = near_->nearest();
     std::set<TableKey> tables;
     for (InteractionId id : world_.interactions.ids())
       if (world_.interactions[id].enabled) note(world_.interactions[id], tables);
@@ -68,6 +70,7 @@ class SystemMaker {
     const Connection* first = nullptr;
     std::shared_ptr<const Law> law;
     std::vector<double> lengths;  // [m]
+    double kinetic = 0.0;         // [J] the largest of two ends relative to each other
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
   };
 
@@ -81,7 +84,7 @@ class SystemMaker {
   LammpsSystem made_;
   std::vector<std::uint32_t> atom_of_;  // (slots of particles)
   std::optional<NearDistances> near_;
-  double kinetic_ = 0.0;  // [J] the largest of an atom
+  double kinetic_ = 0.0;  // [J] the largest of an atom about the common motion
   LiveLaws laws_{world_};
   std::map<const Law*, std::string> identities_;
   std::map<TableKey, std::size_t> pair_tables_;
@@ -96,6 +99,23 @@ class SystemMaker {
   }
 
   Box box() const { return {world_.settings.box.value_or(zero3())}; }
+
+  /// [J] The largest of an atom of some families, about the motion that they have in common.
+  template <class IsOf>
+  double kinetic_of(IsOf is_of) const {
+    double mass = 0.0, most = 0.0;
+    Vec3 momentum = zero3();
+    const auto each = [&](auto use) {
+      for (ParticleId id : made_.atoms)
+        if (is_of(world_.particles[id].family)) use(type_at(id).mass, velocity(world_, id));
+    };
+    each([&](double m, Vec3 v) {
+      mass += m;
+      momentum += v * m;
+    });
+    each([&](double m, Vec3 v) { most = std::max(most, 0.5 * m * norm2(v - momentum / mass)); });
+    return most;
+  }
 
   /// Laws that a script wrote alike twice are one.
   std::string identity(const std::shared_ptr<const Law>& law) {
@@ -113,8 +133,14 @@ class SystemMaker {
     return at->second;
   }
 
-  /// What the table of a law between two types depends on, the first of them what the law calls a; its cutoff last.
+  /// What the table of a law between two types depends on, the first of them what the law calls a; its cutoff last. Within a
+  /// family either may be called a.
   TableKey table_key(const Interaction& row, std::size_t a, std::size_t b) {
+    TableKey key = key_in_order(row, a, b);
+    return row.a == row.b && a != b ? std::min(key, key_in_order(row, b, a)) : key;
+  }
+
+  TableKey key_in_order(const Interaction& row, std::size_t a, std::size_t b) {
     const auto value = [&](int who, const std::string& name) {
       return attribute_of(made_, made_.types[who == 0 ? a : b], name);
     };
@@ -145,8 +171,19 @@ class SystemMaker {
             " tables, one for each two kinds of particles; round the values that it reads");
   }
 
+  /// How the particles of an interaction meet.
+  struct Meeting {
+    std::vector<double> distances;  // [m] of near ones now
+    double kinetic = 0.0;           // [J] the largest that one brings along
+  };
+
+  Meeting meeting_of(const Interaction& row) const {
+    const double own = kinetic_of([&](FamilyId family) { return family == row.a || family == row.b; });
+    return {near_->of(row), own > 0.0 ? own : kinetic_};
+  }
+
   /// The table of a law between two types, the first of them what the law calls a.
-  std::size_t pair_table(const Interaction& row, const std::vector<double>& near, std::size_t a, std::size_t b) {
+  std::size_t pair_table(const Interaction& row, const Meeting& meeting, std::size_t a, std::size_t b) {
     const auto value = [&](int who, const std::string& name) {
       return attribute_of(made_, made_.types[who == 0 ? a : b], name);
     };
@@ -155,7 +192,7 @@ class SystemMaker {
     const double cutoff = key.second.back();
     const auto [at, is_new] = pair_tables_.try_emplace(key, made_.pair_tables.size());
     if (!is_new) return at->second;
-    LawTable table = pair_table_of(row, *live, near, cutoff, value);
+    LawTable table = pair_table_of(row, *live, meeting, cutoff, value);
     pair_points_ += table.r.size();
     require(pair_points_ <= most_pair_points, place_of(row),
             ": its tables, one for each two kinds of particles, have more "
@@ -168,7 +205,7 @@ class SystemMaker {
 
   /// Made, or a table of the same interaction times a factor. That of the largest factor is exact enough for all: the energy
   /// that particles bring along, which errors may be held against, matters least there.
-  LawTable pair_table_of(const Interaction& row, const Law& live, const std::vector<double>& near, double cutoff,
+  LawTable pair_table_of(const Interaction& row, const Law& live, const Meeting& meeting, double cutoff,
                          const std::function<double(int, const std::string&)>& value) {
     const LawShape shape = shape_of(live, row.parameters, value);
     ScaledTable& known = shapes_[{&row, shape.hash, cutoff}];
@@ -176,10 +213,13 @@ class SystemMaker {
       return times(known.table, shape.factor / known.factor);
     LawOfDistance law(place_of(row), live, row.parameters, value);
     TableWish wish;
-    std::ranges::copy_if(near, std::back_inserter(wish.distances), [&](double r) { return r < 0.98 * cutoff; });
-    if (wish.distances.empty()) wish.distances.push_back(0.9 * cutoff);
+    std::ranges::copy_if(meeting.distances, std::back_inserter(wish.distances),
+                         [&](double r) { return r < 0.98 * cutoff; });
+    wish.idle = wish.distances.empty();
+    if (wish.idle) wish.distances.push_back(std::min(near_->spacing(), 0.9 * cutoff));
     wish.to = cutoff;
     wish.kinetic = kinetic_;
+    wish.idle_kinetic = meeting.kinetic;
     wish.error = made_.error;
     wish.enough = enough_points_;
     LawTable table = make_table(law, wish);
@@ -205,10 +245,10 @@ class SystemMaker {
   void add(const Interaction& row) {
     std::vector<PairCoefficient> list;
     std::set<std::pair<int, int>> taken;
-    const std::vector<double> near = near_->of(row);
+    const Meeting meeting = meeting_of(row);
     each_pair_of_types(row, [&](std::size_t a, std::size_t b) {
       const int low = static_cast<int>(std::min(a, b)) + 1, high = static_cast<int>(std::max(a, b)) + 1;
-      if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, near, a, b)});
+      if (taken.insert({low, high}).second) list.push_back({low, high, pair_table(row, meeting, a, b)});
     });
     if (list.empty()) return;
     const auto is_free = [&](const PairStyle& style) {
@@ -254,6 +294,16 @@ class SystemMaker {
   bool acts_beyond(const Interaction& row, std::uint32_t atom,
                    const std::vector<std::vector<std::uint32_t>>& bonded) const {
     if (family_of(atom) != row.a) return false;
+    bool acts = false;
+    each_left_out(atom, bonded, [&](int away, std::uint32_t other) {
+      acts = acts || (away > row.law->exclude && family_of(other) == row.b);
+    });
+    return acts;
+  }
+
+  /// Calls use(connections apart, other atom) with each that is left out beside an atom.
+  template <class Use>
+  void each_left_out(std::uint32_t atom, const std::vector<std::vector<std::uint32_t>>& bonded, Use use) const {
     std::vector<std::uint32_t> reached = {atom};
     std::size_t edge = 0;
     for (int away = 1; away <= made_.exclude; away++) {
@@ -261,11 +311,21 @@ class SystemMaker {
       for (; edge < end; edge++)
         for (std::uint32_t next : bonded[reached[edge]])
           if (std::ranges::find(reached, next) == reached.end()) {
-            if (away > row.law->exclude && family_of(next) == row.b) return true;
+            use(away, next);
             reached.push_back(next);
           }
     }
-    return false;
+  }
+
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_left_out() const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> list;
+    if (made_.exclude == 0) return list;
+    const auto bonded = bonded_atoms();
+    for (std::uint32_t a = 0; a < bonded.size(); a++)
+      each_left_out(a, bonded, [&](int, std::uint32_t b) {
+        if (a < b) list.emplace(a, b);
+      });
+    return list;
   }
 
   const AtomType& type_at(ParticleId id) const {
@@ -289,6 +349,9 @@ class SystemMaker {
         " m is longer than half an edge of the box, ", rounded(half_box()),
         " m: beyond, LAMMPS and this program differ in which image of a particle it leads to; make the box larger, or "
         "put particles between its ends");
+    const double mass_a = type_at(row.particles[0]).mass, mass_b = type_at(row.particles[1]).mass;
+    const Vec3 apart = velocity(world_, row.particles[1]) - velocity(world_, row.particles[0]);
+    kind.kinetic = std::max(kind.kinetic, 0.5 * mass_a * mass_b / (mass_a + mass_b) * norm2(apart));
     kind.lengths.push_back(length);
     kind.ends.emplace_back(atom_of_[row.particles[0].slot - 1], atom_of_[row.particles[1].slot - 1]);
   }
@@ -342,6 +405,7 @@ class SystemMaker {
     wish.points = points;
     wish.straight = straight;
     wish.kinetic = kinetic_;
+    wish.idle_kinetic = kind.kinetic > 0.0 ? kind.kinetic : kinetic_;
     wish.error = made_.error;
     return make_table(law, wish);
   }
