@@ -99,3 +99,18 @@ TEST_CASE("energies that a script reads are of laws with what it has set so far"
   CHECK(energy(scene->world()).potential == Approx(56.0).epsilon(1e-2));
   CHECK(scene->world().log.empty());
 }
+
+TEST_CASE("a law that several have follows what changes once the first of them is gone") {
+  const auto scene = lua::open_scene_text(R"(
+    scene.gravity = vec(0, 0, 0)
+    local k, p = 1, {}
+    for i = 1, 4 do p[i] = scene:particle { at = vec(2 * i, 0, 0) } end
+    local law = force.pair { potential = function(r) return k * (r - 1) ^ 2 end }
+    local first, second = scene:connect(p[1], p[2], law), scene:connect(p[3], p[4], law)
+    first:remove()
+    scene:at(0.1, function() k = 3 scene:result("energy", second.energy / (p[4].position.x - p[3].position.x - 1) ^ 2) end)
+  )",
+                                          "scene.lua", ".", {});
+  advance(scene->world(), 0.2);
+  CHECK(std::get<double>(scene->results().at("energy")) == Approx(3.0));
+}

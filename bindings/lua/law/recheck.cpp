@@ -4,10 +4,12 @@
 #include <bit>
 #include <span>
 #include <utility>
+#include <variant>
 
 #include "edit/edit.hpp"
 #include "forces/forces.hpp"
 #include "laws/run/sites.hpp"
+#include "laws/within_cutoff.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::lua {
@@ -155,18 +157,37 @@ bool follow_changes(World& world, TracedAtWork& at_work) {
   return true;
 }
 
+/// A living thing that has the law; std::monostate where none has.
+AnyId user_of(const World& world, const std::shared_ptr<const Law>& law) {
+  const auto find_in = [](const auto& rows, const auto& of_row) -> AnyId {
+    for (const auto id : rows.ids())
+      if (rows[id].law == of_row) return id;
+    return {};
+  };
+  for (const AnyId& id :
+       {find_in(world.connections, within_cutoff(law)), find_in(world.interactions, law), find_in(world.fields, law)})
+    if (!std::holds_alternative<std::monostate>(id)) return id;
+  return {};
+}
+
+void drop_unused(const World& world, LawsAtWork& laws) {
+  std::erase_if(laws.traced, [&](TracedAtWork& t) {
+    if (!alive(world, t.id)) t.id = user_of(world, t.law.laws.front());
+    return std::holds_alternative<std::monostate>(t.id);
+  });
+}
+
 }  // namespace
 
 void renew_laws(World& world, LawsAtWork& laws) {
-  std::erase_if(laws.traced, [&](TracedAtWork& t) {
-    return !alive(world, t.id) || (has_changed(t.law) && follow_changes(world, t));
-  });
+  drop_unused(world, laws);
+  std::erase_if(laws.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(world, t); });
 }
 
 void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs) {
   if (laws.traced.empty()) return;
+  drop_unused(world, laws);
   if (std::exchange(laws.runs_seen, runs) != runs) renew_laws(world, laws);
-  std::erase_if(laws.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
   if (!std::has_single_bit(world.steps)) return;
   for (std::size_t i = 0; i < laws.traced.size(); i++) {
     const TracedAtWork at_work = laws.traced[i];
