@@ -156,6 +156,9 @@ std::string table_file(const char* of, std::size_t number) {
 
 std::string table_text(std::span<const LammpsTable> tables, bool of_pairs) {
   Text out;
+  std::size_t rows = 0;
+  for (const LammpsTable& t : tables) rows += t.table.r.size();
+  out.reserve(80 * rows + 400 * tables.size());
   out << "# distance m, energy J, force N\n";
   for (const LammpsTable& t : tables) {
     const LawTable& table = t.table;
