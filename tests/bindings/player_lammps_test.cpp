@@ -549,8 +549,7 @@ TEST_CASE("lammps: where the state cannot be saved the dump stays, and is not lo
   CHECK_THAT(first.err, Contains("pantin lammps scene.lua --from-dump files/end.dump --out 'gone/a b.pantin'"));
   CHECK(std::filesystem::exists(folder / "files/end.dump"));
   std::filesystem::create_directories(folder / "gone");
-  CHECK_THAT(run({}).err,
-             Contains("files/end.dump is left of a run whose end was not saved") && Contains("--overwrite"));
+  CHECK_THAT(run({}).err, Contains("files/end.dump is left of a run before") && Contains("--overwrite"));
   CHECK(use(folder, {"lammps", "scene.lua", "--from-dump", "files/end.dump", "--out", "back.pantin"}).code == 0);
 }
 

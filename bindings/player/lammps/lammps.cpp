@@ -370,8 +370,8 @@ int run_lammps(const LammpsOptions& options, const LammpsScene& scene) {
   (void)given.scene->state();  // whether it can be kept in a file is known before hours are spent
   const FolderLock lock(folder);
   if (const std::string left = (fs::path(folder) / "end.dump").string(); !options.overwrite && fs::exists(left))
-    throw UsageError(text(left, " is left of a run whose end was not saved: ", way_back(folder, scene), " --out ",
-                          quoted(out), " brings it back, or lose it with --overwrite"));
+    throw UsageError(text(left, " is left of a run before: ", way_back(folder, scene), " --out ", quoted(out),
+                          " brings it back, or lose it with --overwrite"));
   write_lammps(folder, world, given.system, given.task);
   remove_dumps(folder);
   for (const std::string& note : given.task.notes) say(note);
