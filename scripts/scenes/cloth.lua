@@ -13,7 +13,7 @@ scene:collide("cloth", "cloth", false)
 local thread = force.spring { stiffness = 40, damping = 0.01 }
 local limit = { breaks_at = { length = 2 * gap } }
 local shear, bend = { breaks_at = { length = 3 * gap }, stiffness = 20 }, { breaks_at = { length = 4 * gap }, stiffness = 4 }
-local corners, torn, speed = {}, 0, 5 -- of the first ball, m/s
+local corners, middle, torn, speed = {}, nil, 0, 5 -- of the first ball, m/s
 local function hang()
   local knots = {}
   for _, knot in ipairs(cloth.particles) do knot:remove() end
@@ -32,7 +32,7 @@ local function hang()
       tie(j, 2, 0, bend) tie(j, 0, 2, bend)
     end
   end
-  corners, torn, speed = { scene:nail(knots[1][1]), scene:nail(knots[n][1]) }, 0, 5
+  corners, middle, torn, speed = { scene:nail(knots[1][1]), scene:nail(knots[n][1]) }, knots[n // 2][n // 2], 0, 5
 end
 hang()
 scene:field(cloth, force.point {
@@ -52,7 +52,7 @@ local function throw()
   way, speed = -way, 1.8 * speed
 end
 if balls then scene:every(5, throw) end
-
+scene:every(1, function() if balls and middle.alive and middle.position.y < -1 then hang() end end) -- it flew off
 scene:button("let go", function() for _, nail in ipairs(corners) do if nail.alive then nail:remove() end end end)
 scene:button("hang a new one", hang)
 scene:on("broke", function() torn = torn + 1 end)
