@@ -306,7 +306,7 @@ TEST_CASE("sweep: a table for which there is no space is told to be written agai
                         {"sh", "-c", "{ (ulimit -f 0; exec \"$@\"); echo code $?; } 2>&1 | cat", "sh"});
   full.arguments.insert(full.arguments.end(), lengths.begin(), lengths.end());
   CHECK_THAT(finish(full).out,
-             Contains("t.csv.journal, and once there is space the same command writes the table from it\ncode 1"));
+             Contains("t.csv.journal, and the same command writes the table from it once it can\ncode 1"));
   CHECK(sweep_pendulum(folder, lengths).code == 0);
   CHECK(rows_of(read_file(folder / "t.csv")).size() == 3);
 }

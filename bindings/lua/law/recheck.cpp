@@ -186,8 +186,7 @@ void renew_laws(World& world, LawsAtWork& laws) {
 
 void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs) {
   if (laws.traced.empty()) return;
-  drop_unused(world, laws);
-  if (std::exchange(laws.runs_seen, runs) != runs) renew_laws(world, laws);
+  std::exchange(laws.runs_seen, runs) != runs ? renew_laws(world, laws) : drop_unused(world, laws);
   if (!std::has_single_bit(world.steps)) return;
   for (std::size_t i = 0; i < laws.traced.size(); i++) {
     const TracedAtWork at_work = laws.traced[i];

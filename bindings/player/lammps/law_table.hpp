@@ -1,13 +1,11 @@
 #pragma once
 // A central law of a pair as LAMMPS reads it: values at distances, between which it interpolates.
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "laws/law.hpp"
+#include "player/lammps/law_of_distance.hpp"
 
 namespace pantin::player {
 
@@ -49,41 +47,6 @@ struct LawTable {
 
   double from() const { return r.front(); }
   double to() const { return r.back(); }
-};
-
-struct LoweredLaw;
-
-/// A law with all that it reads but the distance. Throws Error, which names the law by `name`, for a law that is no function
-/// of distance alone.
-class LawOfDistance {
- public:
-  struct Value {
-    double energy = 0.0;  ///< [J] 0 of a law without
-    double force = 0.0;   ///< [N] pushes apart where positive
-    double slope = 0.0;   ///< [N/m] of the force by distance
-  };
-
-  LawOfDistance(const std::string& name, const Law& law, std::span<const double> parameters,
-                const std::function<double(int who, const std::string& attribute)>& attribute);
-
-  const std::string& name() const { return name_; }
-  bool has_energy() const { return has_energy_; }
-  /// (r) values at distances [m] > 0.
-  std::vector<Value> at(std::span<const double> r);
-  /// Distances [m] within a range at which one branch of the law goes over into another, rising.
-  std::vector<double> kinks(double from, double to);
-
- private:
-  std::string name_;
-  bool has_energy_;
-  Machine machine_;
-  int distance2_;
-  std::size_t conditions_;  ///< differences that change their sign where branches meet, after the other outputs
-
-  LawOfDistance(const LoweredLaw& lowered, const std::string& name, const Law& law, std::span<const double> parameters,
-                const std::function<double(int who, const std::string& attribute)>& attribute);
-  void run(std::span<const double> r, const std::function<void(std::size_t)>& read);
-  std::vector<std::vector<double>> conditions_at(std::span<const double> r);
 };
 
 /// Samples a law so densely that the wish is met. Throws Error where no table can.

@@ -108,7 +108,7 @@ void write_table(const std::string& path, const std::string& content, Journal& j
     journal.finish([&] { table.keep(); }, content);
   } catch (const UsageError&) { throw; } catch (const Error& error) {
     throw Error(text(error.what(), ": all rows are in ", path,
-                     ".journal, and once there is space the same command writes the table from it"));
+                     ".journal, and the same command writes the table from it once it can"));
   }
 }
 

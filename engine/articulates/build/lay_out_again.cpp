@@ -60,7 +60,7 @@ std::vector<HubNode> hubs_of(const Articulate& a) {
   std::uint32_t first = 0;
   for (const HubNode& hub : hubs) {
     sound(hub.variable == first);
-    first += hub.is_body ? 2 : 1;
+    first += hub.count();
   }
   return hubs;
 }

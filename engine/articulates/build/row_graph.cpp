@@ -83,7 +83,7 @@ std::vector<HubNode> find_hubs(const std::vector<Edge>& edges, const RowLists& r
 }
 
 std::uint32_t variables_of(const std::vector<HubNode>& hubs) {
-  return hubs.empty() ? 0 : hubs.back().variable + (hubs.back().is_body ? 2 : 1);
+  return hubs.empty() ? 0 : hubs.back().variable + hubs.back().count();
 }
 
 RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on, const std::vector<HubNode>& hubs) {
@@ -101,8 +101,7 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on, 
       if (node < 0) continue;
       const auto n = static_cast<std::size_t>(node);
       if (const HubNode* hub = hub_of[n]) {
-        graph.rows.push_back(rows + hub->variable);
-        if (hub->is_body) graph.rows.push_back(rows + hub->variable + 1);
+        for (std::uint32_t k = 0; k < hub->count(); k++) graph.rows.push_back(rows + hub->variable + k);
         continue;
       }
       std::copy_if(rows_on[n].begin(), rows_on[n].end(), std::back_inserter(graph.rows),
@@ -115,7 +114,7 @@ RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& rows_on, 
     graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
   }
   for (const HubNode& hub : hubs)
-    for (int k = 0; k < (hub.is_body ? 2 : 1); k++) {
+    for (std::uint32_t k = 0; k < hub.count(); k++) {
       graph.rows.insert(graph.rows.end(), rows_on[hub.node].begin(), rows_on[hub.node].end());
       graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
     }

@@ -13,6 +13,7 @@ namespace pantin {
 struct HubNode {
   std::uint32_t node, variable;  ///< the first of them, counted from the last row on
   bool is_body;
+  std::uint32_t count() const { return is_body ? 2 : 1; }  ///< of its variables
 };
 
 /// Nodes with many rows that are soft or lead to nodes of few; none with coupled ones, since rows of one coupling meet each
