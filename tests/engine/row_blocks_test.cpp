@@ -1,13 +1,11 @@
 // Bodies of so many rows that these meet at variables of the body.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "articulates/articulate.hpp"
 #include "edit/constrain.hpp"
-#include "laws/library.hpp"
 #include "measure/measure.hpp"
 #include "step/step.hpp"
 #include "support/cases.hpp"
@@ -29,30 +27,6 @@ void check_exact(World& world, double time, double gap = 1e-10) {
   CHECK(course.finite);
   CHECK(course.gap <= gap);
   CHECK(world.stats.fallback_steps == 0);
-}
-
-/// A cube of 5 x 5 x 5 particles 1 m apart, each tied by springs to the 26 about it, that is struck at a corner.
-void add_cube(World& world, Solve solve, double stiffness) {
-  constexpr int edge = 5;
-  std::vector<ParticleId> cube;
-  const auto at = [&](int i) { return vec(i / 25, i / 5 % 5, i % 5); };
-  for (int i = 0; i < edge * edge * edge; i++) {
-    ParticleDef def;
-    def.at = at(i);
-    if (i == 0) def.velocity = vec(2, 1, 0);
-    cube.push_back(add_particle(world, def));
-  }
-  for (int i = 0; i < edge * edge * edge; i++)
-    for (int j = 0; j < i; j++) {
-      const double length = norm(at(i) - at(j));
-      if (length > 1.8) continue;
-      LawArguments arguments;
-      arguments.numbers = {{"stiffness", stiffness}, {"length", length}};
-      ConnectionDef tie;
-      tie.ends = {{cube[static_cast<std::size_t>(i)], zero3()}, {cube[static_cast<std::size_t>(j)], zero3()}};
-      tie.solve = solve;
-      add_connection(world, std::make_shared<const Law>(make_library_law("spring", arguments).front()), tie);
-    }
 }
 
 }  // namespace
@@ -220,9 +194,9 @@ TEST_CASE("hub: with a string on it, it is no hub, and holds") {
 
 TEST_CASE("hub: particles with many springs that are solved are, and go where springs that kick take them") {
   World solved, kicked;
-  add_cube(solved, Solve::at_middle, 50.0);
-  add_cube(kicked, Solve::explicitly, 50.0);
   for (World* world : {&solved, &kicked}) {
+    const auto cube = cases::add_cube(*world, {.solve = world == &solved ? Solve::at_middle : Solve::explicitly});
+    set_velocity(*world, cases::point_of(*world, cube.front()), vec(2, 1, 0));
     world->settings.step = 1.0 / 2000;
     const Watched course = watch(*world, 0.5);
     CHECK(course.failure == "");
@@ -235,7 +209,7 @@ TEST_CASE("hub: particles with many springs that are solved are, and go where sp
 
 TEST_CASE("hub: the matrix of a lattice of springs is that of its particles, not of its springs") {
   World world;
-  add_cube(world, Solve::at_middle, 1e6);
+  cases::add_cube(world, {.stiffness = 1e6});
   check_exact(world, 0.1);
   REQUIRE(world.articulates.size() == 1);
   CHECK(world.articulates[0]->rows.size() == 1036);

@@ -1,11 +1,13 @@
 #include "support/cases.hpp"
 
 #include <array>
+#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "base/functions.hpp"
 #include "edit/constrain.hpp"
+#include "laws/library.hpp"
 
 namespace pantin::cases {
 
@@ -133,6 +135,34 @@ DoublePendulum add_double_pendulum(World& world) {
   pendulum.upper = add_rod(world, pendulum.inner, zero3());
   pendulum.lower = add_rod(world, pendulum.inner, pendulum.outer);
   return pendulum;
+}
+
+std::vector<ParticleId> add_cube(World& world, const CubeDef& def) {
+  constexpr double farthest = 1.8;  // of the distance along an edge: the diagonal through space is 1.73
+  std::vector<ParticleId> cube;
+  const int count = def.edge * def.edge * def.edge;
+  const auto at = [&](int i) {
+    return def.start + vec(i / (def.edge * def.edge), i / def.edge % def.edge, i % def.edge) * def.apart;
+  };
+  for (int i = 0; i < count; i++) {
+    ParticleDef particle;
+    particle.at = at(i);
+    particle.mass = def.mass;
+    particle.family = def.family;
+    cube.push_back(add_particle(world, particle));
+  }
+  for (int i = 0; i < count; i++)
+    for (int j = 0; j < i; j++) {
+      const double length = norm(at(i) - at(j));
+      if (length > farthest * def.apart) continue;
+      LawArguments arguments;
+      arguments.numbers = {{"stiffness", def.stiffness}, {"length", length}};
+      ConnectionDef tie;
+      tie.ends = {{cube[static_cast<std::size_t>(i)], zero3()}, {cube[static_cast<std::size_t>(j)], zero3()}};
+      tie.solve = def.solve;
+      add_connection(world, std::make_shared<const Law>(make_library_law("spring", arguments).front()), tie);
+    }
+  return cube;
 }
 
 BodyId add_top(World& world) {

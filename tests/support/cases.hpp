@@ -48,6 +48,17 @@ struct Wheel {
 };
 /// A disc of radius 1 m in the plane y = 0, with chains of unit rods outwards from hinges at its edge.
 Wheel add_wheel(World& world, const WheelDef& def = {});
+struct CubeDef {
+  int edge = 5;             ///< particles
+  double apart = 1.0;       ///< [m]
+  double mass = 1.0;        ///< [kg] of a particle
+  double stiffness = 50.0;  ///< [N/m]
+  Solve solve = Solve::at_middle;
+  FamilyId family = {};
+  Vec3 start = zero3();  ///< [m] of the first
+};
+/// Particles, each tied by springs to the 26 about it. Lines of them are along z, then y.
+std::vector<ParticleId> add_cube(World& world, const CubeDef& def = {});
 /// Two particles of 1 kg on massless rods of 1 m, both at 90° from the downward vertical, at the origin.
 struct DoublePendulum {
   PointId inner, outer;
