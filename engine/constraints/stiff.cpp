@@ -117,29 +117,46 @@ void start_stiff(StiffBond& bond, const Row& row, double approach) {
 
 namespace {
 
+/// How its length draws back, where it does.
+struct DrawingBack {
+  double k = 0.0, c = 0.0;  // [N/m], [N s/m] of its curves
+  double damping = 0.0;     // [N s/m] beyond that, in the step
+};
+
+DrawingBack drawing_back(StiffBond& bond, double s, double rate, const RowContext& context) {
+  DrawingBack by;
+  for (PairCurve& curve : bond.curves) {
+    curve.run(1, &s, rate);
+    const PairCurve::Value v = curve.at(0);
+    if (curve.depends_on_velocity()) by.c += s * v.by_approach;
+    by.k += v.pull + 2.0 * s * v.by_distance2;
+  }
+  by.c = std::fmax(by.c, 0.0);
+  by.k = std::fmax(by.k, 0.0);
+  const bool at_end = bond.solve == Solve::at_end;
+  if (!at_end && by.c == 0.0) return by;
+  const double h = context.h, nu2 = h * h * by.k * context.mobility, zeta = h * by.c * context.mobility;
+  const double part = at_end ? 1.0 : nu2 * zeta / (nu2 * zeta + 4.0 * nu2 + 6.0 * zeta * zeta);
+  by.damping = 0.5 * h * by.k * part;
+  return by;
+}
+
 /// Finds how it is to settle in the step, by its stiffness and damping at the start.
 void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
+  const DrawingBack by = drawing_back(bond, s0, bond.rate0, context);
   bond.damping_known = true;
-  bond.damping = bond.settling = 0.0;
-  double c = 0.0, k = 0.0;  // [N s/m], [N/m]
-  for (PairCurve& curve : bond.curves) {
-    curve.run(1, &s0, bond.rate0);
-    const PairCurve::Value v = curve.at(0);
-    if (curve.depends_on_velocity()) c += s0 * v.by_approach;
-    k += v.pull + 2.0 * s0 * v.by_distance2;
-  }
-  c = std::fmax(c, 0.0);
-  k = std::fmax(k, 0.0);
-  const bool at_end = bond.solve == Solve::at_end;
-  if (!at_end && c == 0.0) return;
-  const double h = context.h, nu2 = h * h * k * context.mobility, zeta = h * c * context.mobility;
-  const double part = at_end ? 1.0 : nu2 * zeta / (nu2 * zeta + 4.0 * nu2 + 6.0 * zeta * zeta);
-  bond.damping = 0.5 * h * k * part;
-  const double fast = zeta * zeta + 0.25 * nu2;
-  bond.settling = at_end ? 0.5 * h * (c + bond.damping) : 0.5 * h * c * fast / (1.0 + fast);
+  bond.damping = by.damping;
+  const double h = context.h, mu = context.mobility, zeta = h * by.c * mu;
+  const double fast = zeta * zeta + 0.25 * h * h * by.k * mu;
+  bond.settling = bond.solve == Solve::at_end ? 0.5 * h * (by.c + by.damping) : 0.5 * h * by.c * fast / (1.0 + fast);
 }
 
 }  // namespace
+
+double drawn_in_step(StiffBond& bond, Vec3 d, const RowContext& context) {
+  const DrawingBack by = drawing_back(bond, std::fmax(norm2(d), bond.least2), 0.0, context);
+  return 0.5 * context.h * (0.5 * context.h * by.k + by.c + by.damping);
+}
 
 StiffPull pull_at(StiffBond& bond, Vec3 d) {
   StiffPull p;

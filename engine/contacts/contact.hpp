@@ -97,6 +97,7 @@ struct TouchedBody {
 
 /// Part of the size: a gap that is as good as closed.
 constexpr double closed_gap = 1e-5;
+constexpr double held_gap = 1e-2;  ///< the same of one that `place` held: that may be left of what was to be closed
 
 /// Two that touch: particles before bodies before shapes of the world.
 struct TouchPair {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/sets.hpp"
@@ -13,9 +14,10 @@ namespace pantin {
 
 namespace {
 
-constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm island
-constexpr double calm_speed = 0.1;  // of what falls by about its reach
-constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
+constexpr double calm_way = 2e-3;        // of the reach, in a drift: of a calm island
+constexpr double calm_speed = 0.1;       // of what falls by about its reach
+constexpr double swings_in_step = 0.05;  // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
+constexpr double calm_fall = 0.2;        // of the speed of a drift's fall, which is farther than tiny things are large
 
 IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   IslandBody b;
@@ -100,13 +102,8 @@ struct Builder {
           IslandTie& t = ties[end.row[lane]];
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
-    for (std::uint32_t k = 0; k < ties.size(); k++) {
-      const Row& row = a.rows[k];
-      if (!is_soft(row)) continue;
-      const bool is_new = pulls_by_law(row) && norm2(row.f) == 0.0;
-      const Vec3 pull = is_new ? pull_at(*condition(a, row).stiff, row.d1).f : row.f;
-      add_load(to.pulls, ties[k], pull);
-    }
+    for (std::uint32_t k = 0; k < ties.size(); k++)
+      if (is_soft(a.rows[k])) foresee_pull(to, a, a.rows[k], ties[k]);
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || is_coupled(a.rows[k])) continue;
       to.problem.ties.push_back(ties[k]);
@@ -121,6 +118,21 @@ struct Builder {
       s.last_end = static_cast<std::uint32_t>(to.problem.ends.size());
       to.scalars.push_back({number, std::move(row)});
     }
+  }
+  /// A soft row pulls as it did last. A spring that would swing fast for the step draws back in it, as far as it is moved.
+  void foresee_pull(TouchIsland& to, Articulate& a, const Row& row, IslandTie& tie) {
+    if (!pulls_by_law(row)) return add_load(to.pulls, tie, row.f);
+    StiffBond& bond = *condition(a, row).stiff;
+    const RowContext context{settings.h, mobility(a, row)};
+    const double drawn = settings.foresees && norm2(row.d1) > 0.0 ? drawn_in_step(bond, row.d1, context) : 0.0;
+    const bool swings = drawn * context.mobility > swings_in_step;
+    const Vec3 pull = swings || norm2(row.f) == 0.0 ? pull_at(bond, row.d1).f : row.f;
+    add_load(to.pulls, tie, pull);
+    if (!swings) return;
+    tie.pull = pull;
+    const Vec3 along = direction(row.d1);
+    tie.kept = outer(along, along);
+    tie.softness = 1.0 / drawn;
   }
   void add_contact(TouchIsland& to, const Contact& from) {
     IslandContact& c = to.problem.contacts.emplace_back();

@@ -69,6 +69,18 @@ ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, st
   return island.answered;
 }
 
+/// The drift begins with forces of springs as they were foreseen: what contacts give may be far more than springs had.
+void expect_pulls(const Articulates& articulates, const TouchIsland& island, double h) {
+  for (std::size_t k = 0; k < island.rows.size(); k++) {
+    const IslandTie& t = island.problem.ties[k];
+    if (t.softness == 0.0) continue;
+    Articulate& a = *articulates[island.rows[k][0]];
+    const std::size_t row = island.rows[k][1];
+    if (a.expected.size() != a.rows.size()) a.expected.assign(a.rows.size(), vec(infinity, 0.0, 0.0));
+    a.expected[row] = t.pull + (t.earlier_impulse + t.kept * t.impulse) * (2.0 / h);
+  }
+}
+
 /// Gives what was found, and what ties answer; notes what each thing got of both.
 void give_to_island(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
                     const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchIsland& island,
@@ -89,6 +101,7 @@ void give_to_island(TouchSpace& space, Model& model, const Articulates& articula
   for (const std::uint32_t a : island.articulates)
     driven.push_back(driven_velocities(*articulates[a], model, settings));
   give(model, island, loads);
+  expect_pulls(articulates, island, settings.h);
   ImpulseWork answered;
   for (std::size_t k = 0; k < driven.size(); k++)
     answered += answer_of_ties(*articulates[island.articulates[k]], model, settings, driven[k]);

@@ -14,8 +14,6 @@ namespace pantin {
 
 namespace {
 
-constexpr double held_gap = 1e-2;  // of the size: that may be left of one that was to be closed
-
 /// Takes out what ties answered to impulses of `place`, in articulates that touch nothing after the drift.
 std::vector<WorkOnThing> answer_where_nothing_touches(Model& model, const Articulates& articulates,
                                                       std::span<const TouchIsland> islands,

@@ -95,6 +95,7 @@ void tell_reactions(const Articulates& articulates, const TouchIsland& island, d
     articulates[a]->reaction.resize(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++) {
     const IslandTie& t = island.problem.ties[k];
+    if (t.softness > 0.0) continue;
     articulates[island.rows[k][0]]->reaction[island.rows[k][1]] += t.kept * t.impulse / step;
   }
   for (std::size_t k = 0; k < island.scalars.size(); k++) {

@@ -21,6 +21,7 @@ struct TouchSettings {
       wanted_at;  ///< (0 … 1) of the step: when anchors move as they are to, in the middle of a drift that is to come
   double step;    ///< [s] length of the whole step
   ContactSearch search = ContactSearch::automatic;
+  bool foresees = false;  ///< forces of a drift that is to come
 };
 
 struct TouchSpace;

@@ -24,23 +24,32 @@ Vec3 turned_with(Vec3 from, Vec3 to, Vec3 impulse) {
 
 constexpr double badly_foreseen = 0.05;  // of what turning moves it: to the next order of the drift
 
-/// (by number of what `place` gave) Contacts that touch still; null where they do not.
-std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<const TouchIsland> islands) {
+/// What became of a contact that `place` held.
+struct PlacedNow {
+  const Contact* touching = nullptr;  // if it touches still
+  bool is_met = false;                // by `meet`
+};
+
+/// (by number of what `place` gave)
+std::vector<PlacedNow> placed_now(const Contacts& contacts, std::span<const TouchIsland> islands) {
   std::size_t count = 0;
   for (const TouchIsland& island : islands) count += island.placed.size();
-  std::vector<const Contact*> now(count, nullptr);
+  std::vector<PlacedNow> all(count);
   for (const Contact& c : contacts.list) {
+    if (c.place_index < 0) continue;
+    PlacedNow& now = all[static_cast<std::size_t>(c.place_index)];
     const double open = closed_gap * c.size + (c.rebound == 0.0 ? badly_foreseen * c.turning : 0.0);
-    if (c.place_index >= 0 && !c.from_before && c.gap <= open) now[static_cast<std::size_t>(c.place_index)] = &c;
+    if (!c.from_before && c.gap <= open) now.touching = &c;
+    now.is_met = now.is_met || c.from_before || c.gap <= held_gap * c.size;
   }
-  return now;
+  return all;
 }
 
 /// Takes back what `place` gave in an island.
 class TakeBack {
  public:
-  /// `now` (placed): its contacts that touch still, else null.
-  TakeBack(TouchIsland& island, std::span<const Contact* const> now, TouchSpace& space, Model& model,
+  /// `now` (placed).
+  TakeBack(TouchIsland& island, std::span<const PlacedNow> now, TouchSpace& space, Model& model,
            const Articulates& articulates, const TouchSettings& settings)
       : island_(island),
         now_(now),
@@ -48,12 +57,14 @@ class TakeBack {
         model_(model),
         articulates_(articulates),
         settings_(settings),
+        thrown_(thrown_back(island)),
         losses_(island.things.size()),
         carried_(island.things.size(), zero3()) {}
 
   /// Returns the change of the kinetic energy [J].
   double run() {
     if (island_.solved) lose_as_then();
+    if (!thrown_.empty()) keep_what_springs_threw();
     for (const BodyImpulse& g : island_.given) lose(g);
     if (island_.solved) lose_as_now();
     lose_scalars();
@@ -85,7 +96,7 @@ class TakeBack {
   void lose_as_then() {
     for (std::size_t k = 0; k < now_.size(); k++) {
       const Placing& p = island_.placed[k];
-      if (now_[k]) continue;
+      if (now_[k].touching) continue;
       each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
         if (p.foreseen)
           lose(g);
@@ -94,6 +105,33 @@ class TakeBack {
       });
       if (p.b < 0 && is_thin(p.a))
         carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.core_a), p.impulse) * -1.0;
+    }
+  }
+  /// Articulates with springs that throw back what swings faster than the step: in its drift such a thing ends with
+  /// 2 v̄ - v0 - γ/m, v̄ what `place` foresaw.
+  static std::vector<std::uint32_t> thrown_back(const TouchIsland& island) {
+    std::vector<std::uint32_t> all;
+    for (std::size_t k = 0; k < island.rows.size(); k++)
+      if (const IslandTie& t = island.problem.ties[k]; t.softness > 0.0 && t.softness < t.w)
+        all.push_back(island.rows[k][0]);
+    return all;  // rising
+  }
+  bool is_thrown_back(std::uint32_t thing) const {
+    return std::binary_search(thrown_.begin(), thrown_.end(), island_number(model_, articulates_.size(), thing));
+  }
+  /// What `meet` does not stop goes on with 2 v̄ - v0: to take γ back from it would leave it with -2 γ/m.
+  void keep_what_springs_threw() {
+    for (std::size_t k = 0; k < now_.size(); k++) {
+      const Placing& p = island_.placed[k];
+      if (now_[k].is_met ||
+          !(is_thrown_back(p.body_a) || (p.b >= 0 && is_thrown_back(static_cast<std::uint32_t>(p.body_b)))))
+        continue;
+      each_given(p, p.impulse * -2.0, p.moment * -2.0, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
+        if (p.foreseen)
+          lose(g);
+        else
+          island_.given.push_back(g);
+      });
     }
   }
   /// Whether it turns about its length as good as without inertia.
@@ -112,11 +150,11 @@ class TakeBack {
   /// What contacts gave that touch still: as they would give it now.
   void lose_as_now() {
     for (std::size_t k = 0; k < now_.size(); k++) {
-      if (!now_[k]) continue;
+      if (!now_[k].touching) continue;
       const Placing& p = island_.placed[k];
-      const Vec3 normal = now_[k]->normal;
+      const Vec3 normal = now_[k].touching->normal;
       const auto arm = [&](std::int32_t body) {
-        return body < 0 ? zero3() : now_[k]->at - centre(static_cast<std::size_t>(body));
+        return body < 0 ? zero3() : now_[k].touching->at - centre(static_cast<std::size_t>(body));
       };
       each_given(p, turned_with(p.normal, normal, p.impulse), turned_with(p.normal, normal, p.moment), arm(p.a),
                  arm(p.b), [&](const BodyImpulse& g) { lose(g); });
@@ -189,11 +227,12 @@ class TakeBack {
   Vec3 angular(const BodyImpulse& g) const { return cross(centre(g.body), g.impulse) + g.moment; }
 
   TouchIsland& island_;
-  std::span<const Contact* const> now_;
+  std::span<const PlacedNow> now_;
   TouchSpace& space_;
   Model& model_;
   const Articulates& articulates_;
   const TouchSettings& settings_;
+  std::vector<std::uint32_t> thrown_;
   std::vector<BodyLoad> losses_;  // (bodies) [N s], [N m s]
   std::vector<Vec3>
       carried_;  // (bodies) [N m s] more of it, where the world's impulses are taken back where they are by now
@@ -204,7 +243,7 @@ class TakeBack {
 void take_back(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
                const TouchSettings& settings, TouchReport& sum) {
   const std::span<TouchIsland> islands = std::span(space.placing).first(space.placed);
-  const std::vector<const Contact*> now = still_touching(contacts, islands);
+  const std::vector<PlacedNow> now = placed_now(contacts, islands);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     report = {};
     island.heat.clear();

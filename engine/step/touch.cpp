@@ -231,8 +231,8 @@ void place_contacts(World& world) {
   if (!world.trouble.empty()) return;
   TouchReport report;
   const std::vector<BodyLoad> kicks = kicks_of(world);
-  const TouchSettings settings =
-      settings_of(world, drifted, world.stage.from, 0.5 * (world.stage.from + world.stage.to));
+  TouchSettings settings = settings_of(world, drifted, world.stage.from, 0.5 * (world.stage.from + world.stage.to));
+  settings.foresees = true;
   begin_placing(world, world.articulates, world.contacts, settings);
   for (int round = 1;; round++) {
     report.gravity = 0.0;

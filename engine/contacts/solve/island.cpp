@@ -111,7 +111,7 @@ void observe(ContactIsland& island) {
     c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
   for (IslandRoll& r : island.rolls) r.u = velocity_of(island, r, &IslandBody::w);
   for (IslandTie& t : island.ties)
-    t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
+    t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted + t.impulse * t.softness;
   for (IslandScalar& s : island.scalars) s.u = velocity_of(island, s, &IslandBody::v, &IslandBody::w) + s.bias;
 }
 

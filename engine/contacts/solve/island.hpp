@@ -9,6 +9,7 @@
 //
 // v stands for the velocity of the centre and the spin, in world axes; forces act on body a, opposite ones on b. w is the
 // diagonal of the Delassus operator G M⁻¹ G': how much a unit impulse changes its own velocity [1/kg].
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -72,6 +73,8 @@ struct IslandTie : IslandPair {
   double lever = 0.0;  ///< [m] of an angular one, which sees spins alone; 0: ties points
   Mat3 kept = identity33();
   double w = 0.0;                  ///< [1/kg]
+  double softness = 0.0;           ///< [1/kg] of a spring: what it wants less by, for an impulse
+  Vec3 pull = zero3();             ///< [N] that such a one has without it
   Vec3 wanted = zero3();           ///< [m/s] world axes, as all that follow
   Vec3 turning = zero3();          ///< [m/s] what of it, of the opposite sign, makes up for turning and does no work
   Vec3 start = zero3();            ///< [N s]
@@ -143,6 +146,9 @@ struct ContactIsland {
 
   void clear();  ///< keeps memory
   bool is_tied() const { return !ties.empty() || !scalars.empty(); }
+  bool has_springs() const {
+    return std::any_of(ties.begin(), ties.end(), [](const IslandTie& t) { return t.softness > 0.0; });
+  }
 };
 
 inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_times(c.frame, world); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "articulates/build/elimination.hpp"
+#include "contacts/solve/ties.hpp"
 
 namespace pantin {
 
@@ -269,7 +270,7 @@ bool lay_out_all(ContactIsland& island, std::size_t most_updates) {
   return lay_out_matrix(island, true, most_updates, island.all);
 }
 
-void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness) {
+void set_base(const ContactIsland& island, Layout& layout) {
   layout.base_diagonal.assign(layout.factor.rows, zero33());
   layout.base_lower.assign(layout.factor.below.size(), zero33());
   layout.base_upper.assign(layout.factor.below.size(), zero33());
@@ -281,7 +282,7 @@ void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness)
   const Sums base{island, layout, layout.base_diagonal, layout.base_lower, layout.base_upper};
   for (std::size_t k = 0; k < island.ties.size(); k++) {
     const IslandTie& t = island.ties[k];
-    const Mat3 K = t.kept * (tie_stiffness / t.w);
+    const Mat3 K = t.kept * stiffness_of(t);
     if (t.lever > 0.0)
       add_turns(base, t, layout.tie_blocks[k], K * (t.lever * t.lever));
     else

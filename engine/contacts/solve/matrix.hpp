@@ -10,8 +10,8 @@ namespace pantin {
 /// nothing, where a factorisation would update more than so many blocks.
 bool lay_out_all(ContactIsland& island, std::size_t most_updates);
 void lay_out_ties(ContactIsland& island);
-/// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
-void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness);
+/// Sets the part of masses and ties.
+void set_base(const ContactIsland& island, Layout& layout);
 /// Factorises the base with stiffnesses in world axes, by index, or none at all: of contacts [kg], of rolls [kg m²], of scalars
 /// within bounds [kg]. Where these are symmetric that takes some half of the time.
 void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3> stiffness,

@@ -232,7 +232,7 @@ struct Newton {
       c.impulse[2] += along * l.d2 + across * l.d1;
     }
     move_rolls();
-    for (IslandTie& t : island.ties) t.impulse -= t.u * (tie_stiffness / t.w);
+    for (IslandTie& t : island.ties) t.impulse -= t.u * stiffness_of(t);
     for (std::size_t k = 0; k < scalar_laws.size(); k++)
       island.scalars[k].impulse += scalar_laws[k].offset / island.scalars[k].w;
   }
@@ -258,7 +258,7 @@ struct Newton {
     follow_spins();
     for (IslandTie& t : island.ties) {
       const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
-      t.impulse -= du * (tie_stiffness / t.w);
+      t.impulse -= du * stiffness_of(t);
     }
     for (std::size_t k = 0; k < scalars_used.size(); k++) {
       IslandScalar& s = island.scalars[k];
@@ -291,7 +291,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     report.residual = now;
     return report;
   }
-  set_base(island, island.all, tie_stiffness);
+  set_base(island, island.all);
   const double smallest = 1e-4 * island.tolerance * island.tolerance;
   double tau = smoothing * smoothing * now * now;
   Patience patience{most_patience, now};

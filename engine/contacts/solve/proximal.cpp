@@ -100,6 +100,7 @@ struct Proximal {
   }
   /// Impulses at the velocities at hand, and how they change with these.
   void project_all() {
+    for (std::size_t k = 0; k < from.ties.size(); k++) island.ties[k].impulse = from.ties[k];
     observe(island);
     for (std::size_t k = 0; k < slopes.size(); k++) {
       IslandContact& c = island.contacts[k];
@@ -111,7 +112,7 @@ struct Proximal {
     }
     for (std::size_t k = 0; k < from.ties.size(); k++) {
       IslandTie& t = island.ties[k];
-      t.impulse = from.ties[k] - t.u * (tie_stiffness / t.w);
+      t.impulse = from.ties[k] - t.u * stiffness_of(t);
     }
     for (std::size_t k = 0; k < scalar_slopes.size(); k++) {
       IslandScalar& s = island.scalars[k];
@@ -170,7 +171,7 @@ struct Proximal {
     for (const IslandTie& t : island.ties) {
       const Vec3 by = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
       start -= dot(t.impulse, by);
-      bend += norm2(by) * (tie_stiffness / t.w);
+      bend += norm2(by) * stiffness_of(t);
     }
     if (!(first < 0.0)) return 0.0;
     double at = 0.0, low = 0.0, low_slope = first, high = infinity, high_slope = 0.0, next = 1.0;
@@ -248,7 +249,7 @@ SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds) {
   Patience patience{most_proximal_patience, now};
   Proximal proximal{island};
   const double least = least_rho(island);
-  set_base(island, island.all, tie_stiffness);
+  set_base(island, island.all);
   const auto enough = [&] {
     return std::fmax(island.tolerance, std::fmin(loosest * island.enough, part_of_motion * fastest(island)));
   };

@@ -203,10 +203,11 @@ void search_calm(Search& search, SearchEffort effort) {
 IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSearch wanted) {
   prepare(island);
   choose_start(island);
-  Search search{island, wanted == ContactSearch::exact};
+  const bool springs = island.has_springs() && island.contacts.size() <= many;
+  Search search{island, wanted == ContactSearch::exact || springs};
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
-  const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
+  const bool is_small = wanted != ContactSearch::fast && (island.contacts.size() <= few || springs);
   const bool surely = is_small || wanted == ContactSearch::exact;
   const auto deserves = [&] {
     return surely || (wanted == ContactSearch::automatic && is_calm(island, kinetic_energy(island)));

@@ -328,14 +328,18 @@ struct Sweeps {
     for (const IslandScalar& s : island.scalars) give(s, s.impulse);
     for (IslandTie& t : island.ties) t.impulse = zero3();
     hold_ties();
-    for (const IslandTie& t : island.ties) constant -= dot(t.kept * t.wanted, t.impulse);
+    double by_softness = 0.0;
+    for (const IslandTie& t : island.ties) {
+      constant -= dot(t.kept * t.wanted, t.impulse);
+      by_softness += t.softness * norm2(t.impulse);
+    }
     for (const IslandScalar& s : island.scalars) constant += s.bias * s.impulse;
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre -= free[i].centre;
       y[i].spin -= free[i].spin;
       constant += dot(free[i].centre, y[i].centre) + dot(free[i].spin, y[i].spin);
     }
-    const double whole = square(y) + sum(by_compliance),
+    const double whole = square(y) + sum(by_compliance) + by_softness,
                  part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
     for (ContactBatch& c : batches) c.before = c.impulse = c.impulse * part;
     for (RollBlock& r : rolls) r.impulse *= part;

@@ -11,14 +11,14 @@ namespace pantin {
 void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
   if (!island.ties_prepared) {
     lay_out_ties(island);
-    set_base(island, island.ties_alone, tie_stiffness);
+    set_base(island, island.ties_alone);
     factorise(island, island.ties_alone, {}, {}, {}, true);
     island.ties_prepared = true;
   }
   loads.assign(island.bodies.size(), {});
   for (IslandTie& t : island.ties) {
-    t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
-    add_load(loads, t, t.u * (-tie_stiffness / t.w));
+    t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted + t.impulse * t.softness;
+    add_load(loads, t, t.u * -stiffness_of(t));
   }
   for (IslandScalar& s : island.scalars) {
     if (s.is_bounded()) continue;
@@ -35,7 +35,7 @@ void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
   }
   for (IslandTie& t : island.ties) {
     const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
-    const Vec3 impulse = (t.u + du) * (-tie_stiffness / t.w);
+    const Vec3 impulse = (t.u + du) * -stiffness_of(t);
     t.impulse += impulse;
     add_load(loads, t, t.kept * impulse);
   }
@@ -97,7 +97,10 @@ void forget_turning(ContactIsland& island) {
 }
 
 void forget_held(ContactIsland& island) {
-  for (IslandTie& t : island.ties) t.earlier_impulse -= t.kept * t.impulse;
+  for (IslandTie& t : island.ties) {
+    t.earlier_impulse -= t.kept * t.impulse;
+    t.wanted += t.impulse * t.softness;
+  }
   for (IslandScalar& s : island.scalars) {
     s.earlier_impulse -= s.impulse;
     s.low += s.impulse;
@@ -120,7 +123,10 @@ void hold_ties(ContactIsland& island) {
     b.v0 = b.v;
     b.w0 = b.w;
   }
-  for (IslandTie& t : island.ties) t.earlier_impulse += t.kept * t.impulse;
+  for (IslandTie& t : island.ties) {
+    t.earlier_impulse += t.kept * t.impulse;
+    t.wanted -= t.impulse * t.softness;
+  }
   for (IslandScalar& s : island.scalars) {
     s.earlier_impulse += s.impulse;
     s.low -= s.impulse;

@@ -6,6 +6,7 @@ namespace pantin {
 
 /// Of ties in the matrices of an island, of 1 / w: a tie that is solved for once moves by its inverse of what it should forbid.
 constexpr double tie_stiffness = 1e7;
+inline double stiffness_of(const IslandTie& t) { return 1.0 / (t.w / tie_stiffness + t.softness); }
 
 /// Adds the impulses with which ties answer the velocities v, w of the bodies; what these do to the bodies is left in `loads`.
 /// Prepares the island's matrix of ties where that was not done.
