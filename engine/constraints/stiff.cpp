@@ -120,6 +120,7 @@ namespace {
 /// How its length draws back, where it does.
 struct DrawingBack {
   double k = 0.0, c = 0.0;  // [N/m], [N s/m] of its curves
+  double pull = 0.0;        // [N/m] of them, for its length
   double damping = 0.0;     // [N s/m] beyond that, in the step
 };
 
@@ -130,6 +131,7 @@ DrawingBack drawing_back(StiffBond& bond, double s, double rate, const RowContex
     const PairCurve::Value v = curve.at(0);
     if (curve.depends_on_velocity()) by.c += s * v.by_approach;
     by.k += v.pull + 2.0 * s * v.by_distance2;
+    by.pull += v.pull;
   }
   by.c = std::fmax(by.c, 0.0);
   by.k = std::fmax(by.k, 0.0);
@@ -153,9 +155,10 @@ void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
 
 }  // namespace
 
-double drawn_in_step(StiffBond& bond, Vec3 d, const RowContext& context) {
+DrawnInStep drawn_in_step(StiffBond& bond, Vec3 d, const RowContext& context) {
   const DrawingBack by = drawing_back(bond, std::fmax(norm2(d), bond.least2), 0.0, context);
-  return 0.5 * context.h * (0.5 * context.h * by.k + by.c + by.damping);
+  const double half = 0.5 * context.h;
+  return {half * (half * by.k + by.c + by.damping), half * half * std::fmax(by.pull, 0.0)};
 }
 
 StiffPull pull_at(StiffBond& bond, Vec3 d) {

@@ -52,7 +52,11 @@ struct StiffPull {
   Mat3 by_position = zero33(), by_rate = zero33();
 };
 StiffPull pull_at(StiffBond& bond, Vec3 d);
-/// [kg] What half of the impulse of a step changes by with the mean rate of the distance in it, from rest at d [m].
-double drawn_in_step(StiffBond& bond, Vec3 d, const RowContext& context);
+/// [kg] What half of the impulse of a step changes by with the mean velocity of one end against the other in it.
+struct DrawnInStep {
+  double along = 0.0, across = 0.0;  ///< its length; across where it is taut
+};
+/// From rest at d [m].
+DrawnInStep drawn_in_step(StiffBond& bond, Vec3 d, const RowContext& context);
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "articulates/solve/matrix.hpp"
 #include "articulates/solve/project.hpp"
@@ -102,9 +103,9 @@ struct Builder {
           IslandTie& t = ties[end.row[lane]];
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
-    for (std::uint32_t k = 0; k < ties.size(); k++)
-      if (is_soft(a.rows[k])) foresee_pull(to, a, a.rows[k], ties[k]);
+    const bool taut = settings.foresees && is_taut(a);
     for (std::uint32_t k = 0; k < ties.size(); k++) {
+      if (is_soft(a.rows[k])) foresee_pull(to, number, k, ties[k], taut);
       if (trace(ties[k].kept) == 0.0 || is_coupled(a.rows[k])) continue;
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});
@@ -119,20 +120,41 @@ struct Builder {
       to.scalars.push_back({number, std::move(row)});
     }
   }
-  /// A soft row pulls as it did last. A spring that would swing fast for the step draws back in it, as far as it is moved.
-  void foresee_pull(TouchIsland& to, Articulate& a, const Row& row, IslandTie& tie) {
+  /// Whether its springs pulled as those of a net do, and hardly pushed.
+  static bool is_taut(const Articulate& a) {
+    constexpr double hardly = 0.1;
+    double pulled = 0.0, pushed = 0.0;
+    for (const Row& row : a.rows) {
+      if (!is_soft(row) || !pulls_by_law(row)) continue;
+      const double by = -dot(row.f, row.d1) / std::sqrt(norm2(row.d1) + std::numeric_limits<double>::min());
+      (by > 0.0 ? pulled : pushed) += std::fabs(by);
+    }
+    return pushed < hardly * pulled;
+  }
+  /// A soft row pulls as it did last. A spring that would swing fast for the step draws back in it, as far as it is moved: along
+  /// its length, and in what is taut across it.
+  void foresee_pull(TouchIsland& to, std::uint32_t number, std::uint32_t k, IslandTie tie, bool taut) {
+    Articulate& a = *articulates[number];
+    const Row& row = a.rows[k];
     if (!pulls_by_law(row)) return add_load(to.pulls, tie, row.f);
     StiffBond& bond = *condition(a, row).stiff;
     const RowContext context{settings.h, mobility(a, row)};
-    const double drawn = settings.foresees && norm2(row.d1) > 0.0 ? drawn_in_step(bond, row.d1, context) : 0.0;
-    const bool swings = drawn * context.mobility > swings_in_step;
-    const Vec3 pull = swings || norm2(row.f) == 0.0 ? pull_at(bond, row.d1).f : row.f;
-    add_load(to.pulls, tie, pull);
-    if (!swings) return;
-    tie.pull = pull;
-    const Vec3 along = direction(row.d1);
-    tie.kept = outer(along, along);
-    tie.softness = 1.0 / drawn;
+    const DrawnInStep drawn =
+        settings.foresees && norm2(row.d1) > 0.0 ? drawn_in_step(bond, row.d1, context) : DrawnInStep{};
+    const auto swings = [&](double by) { return by * context.mobility > swings_in_step; };
+    const bool any = swings(drawn.along) || (taut && swings(drawn.across));
+    tie.pull = any || norm2(row.f) == 0.0 ? pull_at(bond, row.d1).f : row.f;
+    add_load(to.pulls, tie, tie.pull);
+    const Mat3 along = outer(direction(row.d1), direction(row.d1));
+    const auto draws_back = [&](double by, const Mat3& kept) {
+      if (!swings(by)) return;
+      tie.kept = kept;
+      tie.softness = 1.0 / by;
+      to.problem.ties.push_back(tie);
+      to.rows.push_back({number, k});
+    };
+    draws_back(drawn.along, along);
+    if (taut) draws_back(drawn.across, identity33() - along);
   }
   void add_contact(TouchIsland& to, const Contact& from) {
     IslandContact& c = to.problem.contacts.emplace_back();

@@ -77,7 +77,8 @@ void expect_pulls(const Articulates& articulates, const TouchIsland& island, dou
     Articulate& a = *articulates[island.rows[k][0]];
     const std::size_t row = island.rows[k][1];
     if (a.expected.size() != a.rows.size()) a.expected.assign(a.rows.size(), vec(infinity, 0.0, 0.0));
-    a.expected[row] = t.pull + (t.earlier_impulse + t.kept * t.impulse) * (2.0 / h);
+    if (!finite(a.expected[row])) a.expected[row] = t.pull;
+    a.expected[row] += (t.earlier_impulse + t.kept * t.impulse) * (2.0 / h);
   }
 }
 

@@ -82,7 +82,7 @@ void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island
   for (const std::uint32_t a : island.articulates)
     articulates[a]->tie_impulses[number(pass)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
-    articulates[island.rows[k][0]]->tie_impulses[number(pass)][island.rows[k][1]] = island.problem.ties[k].impulse;
+    articulates[island.rows[k][0]]->tie_impulses[number(pass)][island.rows[k][1]] += island.problem.ties[k].impulse;
   for (const std::uint32_t a : island.articulates)
     if (!island.scalars.empty()) articulates[a]->scalar_impulses[number(pass)].assign(articulates[a]->rows.size(), 0.0);
   for (std::size_t k = 0; k < island.scalars.size(); k++)

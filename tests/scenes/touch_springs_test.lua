@@ -48,6 +48,31 @@ for _, rate in ipairs { 60, 240 } do
     expect(scene.error.worst_energy):below(2e-3)
   end)
 
+  for _, mass in ipairs { 1, 30 } do
+    test(("a box and a ball of %g kg fall on a net of springs"):format(mass) .. at_rate, function()
+      local scene = scene_at(rate, ([[
+        local net = scene:family("net", { solid = true, mass = 0.02, radius = 0.05, friction = 0.6, layer = "net" })
+        scene:collide("net", "net", false)
+        local spring = force.spring { stiffness = 3e4, damping = 5, implicit = true, length = 0.25 }
+        local knots = {}
+        for i = 0, 6 do
+          knots[i] = {}
+          for j = 0, 6 do
+            knots[i][j] = scene:particle { family = net, at = vec(0.26 * i, 1.5, 0.26 * j) }
+            if i * j * (6 - i) * (6 - j) == 0 then scene:nail(knots[i][j]) end
+            if i > 0 then scene:connect(knots[i - 1][j], knots[i][j], spring) end
+            if j > 0 then scene:connect(knots[i][j - 1], knots[i][j], spring) end
+          end
+        end
+        scene:block { size = 0.5, mass = %g, at = vec(0.9, 3, 0.8) }
+        scene:ball { radius = 0.25, mass = %g, at = vec(0.5, 4.5, 0.9) }
+      ]]):format(mass, mass))
+      scene:advance(4)
+      expect(scene.error.worst_penetration):below(0.02)
+      expect(scene.error.worst_energy):below(0.01)
+    end)
+  end
+
   test("a block on a spring over a foot swings as if the foot were nailed" .. at_rate, function()
     local scene = scene_at(rate, [[
       scene:floor {}

@@ -116,7 +116,9 @@ bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
 bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   if (settings.ledger) a.saved = a.nodes;
   for (Condition& c : a.conditions) c.held_before = c.held;
+  const bool expected = !a.expected.empty();
   bool solved = try_part(a, h, settings.gravity, report);
+  if (!solved && expected) solved = try_part(a, h, settings.gravity, report);   // from the last forces
   if (!solved && a.lowered) solved = try_part(a, h, settings.gravity, report);  // not from where a softer factor led
   if (!solved && stall_motors(a, settings.step)) {
     a.effort.spare = all_spare(a);  // it is another step now
