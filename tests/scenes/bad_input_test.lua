@@ -17,6 +17,7 @@ local wrong = {
   ["scene:over(2, 1, print)"] = "over: argument 2, the end, must be after the beginning at 2 s, got 1 s",
   ["scene:at(1, gone, print)"] = "particle 'gone' was removed at 0 s by text.lua:3",
   ["scene:freeze(scene:group 'none')"] = "freeze: there is nothing in group 'none'",
+  ["print(a.rihgt)"] = "body: unknown field 'rihgt'. Did you mean 'right'? Its own: ",
   ["structure.molecule 'nothing.xyz'"] = "molecule: there is no file",
 }
 

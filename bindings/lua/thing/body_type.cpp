@@ -59,6 +59,13 @@ bool named_point(const Self& self, const char* name) {
   return false;
 }
 
+std::vector<std::string> names_of_points(const Self& self) {
+  std::vector<std::string> names;
+  for (PointId p : body_row(self).points)
+    if (const std::string& name = self.world.points[p].name; !name.empty()) names.push_back(name);
+  return names;
+}
+
 Type make_body_type() {
   Type type = type_with(fields::body_type());
   type.fields.push_back(picture_of_body());
@@ -81,6 +88,7 @@ Type make_body_type() {
   add_base(type, any_thing_type());
   add_common_remove(type);
   type.more = named_point;
+  type.more_names = names_of_points;
   type.more_doc = "Point its named points";
   return type;
 }

@@ -28,11 +28,17 @@ std::vector<std::string> names_of(const Type& type, bool methods) {
   return names;
 }
 
-[[noreturn]] void unknown(lua_State* state, const Type& type, const char* what) {
-  const std::string name(push_text(state, 2));
-  std::vector<std::string> methods;
+[[noreturn]] void unknown(const Self& self, const Type& type, const char* what) {
+  const std::string name(push_text(self.state, 2));
+  std::vector<std::string> methods, own, all = names_of(type, true);
   for (const Method& m : type.methods) methods.push_back(m.name);
-  throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, names_of(type, true)),
+  if (type.more_names) {
+    require_alive(self.ref);
+    own = type.more_names(self);
+  }
+  all.insert(all.end(), own.begin(), own.end());
+  throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, all),
+                   own.empty() ? "" : " Its own: ", joined(own), own.empty() ? "" : ".",
                    " Fields: ", joined(names_of(type, false)), methods.empty() ? "" : ". Methods: ", joined(methods)));
 }
 
@@ -67,7 +73,7 @@ int index(lua_State* state) {
     require_alive(self.ref);
     if (type.more(self, lua_tostring(state, 2))) return 1;
   }
-  unknown(state, type, "unknown field");
+  unknown(self, type, "unknown field");
 }
 
 int new_index(lua_State* state) {
@@ -93,7 +99,7 @@ int new_index(lua_State* state) {
     require_alive(self.ref);
     if (type.write_more(self, lua_tostring(state, 2), 3)) return 0;
   }
-  unknown(state, type, "cannot write unknown field");
+  unknown(self, type, "cannot write unknown field");
 }
 
 int thing_text(lua_State* state) {

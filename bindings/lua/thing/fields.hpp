@@ -48,6 +48,7 @@ struct Type {
   std::vector<Method> methods;
   bool (*more)(const Self&, const char* name) = nullptr;  ///< pushes a value that only this one has, or returns false
   bool (*write_more)(const Self&, const char* name, int index) = nullptr;  ///< writes one, or returns false
+  std::vector<std::string> (*more_names)(const Self&) = nullptr;           ///< what `more` has, where it says so
   const char* more_doc = "";                                               ///< type and meaning of those values
   lua_CFunction length = nullptr;                                          ///< of `#`
   const Type* base = nullptr;  ///< says once what it has in common with others; its fields and methods are here, too
