@@ -123,7 +123,7 @@ TEST_CASE("replay in the window: it steps on and back, runs to its end, and star
   for (int i = 0; i < 400 && watched.tick() < 480; i++) watched.frames(1);
   CHECK(watched.tick() == 480);
   CHECK(watched.window->replay().mismatch() == "");
-  watched.frames(3);
+  for (int i = 0; i < 8; i++) watched.tap(SDLK_MINUS);  // else one slow frame has all of it
   watched.tap(SDLK_SPACE);
   CHECK(watched.tick() < 480);
 }
