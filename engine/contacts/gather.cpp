@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "articulates/solve/matrix.hpp"
 #include "articulates/solve/project.hpp"
@@ -17,8 +16,8 @@ namespace {
 
 constexpr double calm_way = 2e-3;        // of the reach, in a drift: of a calm island
 constexpr double calm_speed = 0.1;       // of what falls by about its reach
-constexpr double swings_in_step = 0.05;  // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
 constexpr double calm_fall = 0.2;        // of the speed of a drift's fall, which is farther than tiny things are large
+constexpr double swings_in_step = 0.05;  // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
 
 IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   IslandBody b;
@@ -126,7 +125,7 @@ struct Builder {
     double pulled = 0.0, pushed = 0.0;
     for (const Row& row : a.rows) {
       if (!is_soft(row) || !pulls_by_law(row)) continue;
-      const double by = -dot(row.f, row.d1) / std::sqrt(norm2(row.d1) + std::numeric_limits<double>::min());
+      const double by = -dot(row.f, direction(row.d1));
       (by > 0.0 ? pulled : pushed) += std::fabs(by);
     }
     return pushed < hardly * pulled;

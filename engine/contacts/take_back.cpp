@@ -92,17 +92,20 @@ class TakeBack {
     one(p.a, arm_a, -1.0);
     if (p.b >= 0) one(p.b, arm_b, 1.0);
   }
+  void lose_as_then(const Placing& p, double times) {
+    each_given(p, p.impulse * times, p.moment * times, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
+      if (p.foreseen)
+        lose(g);
+      else
+        island_.given.push_back(g);
+    });
+  }
   /// What contacts gave that touch no more: as they gave it.
   void lose_as_then() {
     for (std::size_t k = 0; k < now_.size(); k++) {
       const Placing& p = island_.placed[k];
       if (now_[k].touching) continue;
-      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
-        if (p.foreseen)
-          lose(g);
-        else
-          island_.given.push_back(g);
-      });
+      lose_as_then(p, 1.0);
       if (p.b < 0 && is_thin(p.a))
         carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.core_a), p.impulse) * -1.0;
     }
@@ -126,12 +129,7 @@ class TakeBack {
       if (now_[k].is_met ||
           !(is_thrown_back(p.body_a) || (p.b >= 0 && is_thrown_back(static_cast<std::uint32_t>(p.body_b)))))
         continue;
-      each_given(p, p.impulse * -2.0, p.moment * -2.0, p.arm_a, p.arm_b, [&](const BodyImpulse& g) {
-        if (p.foreseen)
-          lose(g);
-        else
-          island_.given.push_back(g);
-      });
+      lose_as_then(p, -2.0);
     }
   }
   /// Whether it turns about its length as good as without inertia.
