@@ -208,6 +208,20 @@ void TiedKick::choose_rule(double too_fast) {
   find_known();
 }
 
+/// Finds the least motion that what is prescribed asks for. False where it is so near to what the rows cannot do, as to
+/// shorten what is straight, that no step moves so: then nothing is prescribed.
+bool TiedKick::can_drive() {
+  constexpr double most = 100.0;  // times as fast as prescribed
+  driven_ = allowed(driven_);
+  double fastest2 = 0.0, wanted2 = 0.0;
+  for (const BatchMotion& m : driven_) fastest2 = std::max(fastest2, largest_lane(norm2(m.v)));
+  for (const Condition& c : a_->conditions) wanted2 = std::max(wanted2, norm2(c.wanted));
+  if (fastest2 <= most * most * wanted2) return true;
+  driven_.assign(driven_.size(), {});
+  for (Condition& c : a_->conditions) c.wanted = zero3();
+  return false;
+}
+
 void TiedKick::find_known() {
   const std::size_t n = a_->batches.size();
   at_rest_ = false;
@@ -227,12 +241,11 @@ void TiedKick::find_known() {
     pantin::push(other[i / batch_size], i % batch_size, pressing_[i].force, world_.plane.about(pressing_[i].moment));
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < sites.size(); s++) add(other, sites[s], forces_on_sites_[s] * dt_);
-  const bool wants = ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
+  driven_.assign(other.size(), {});
+  const bool wants = ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion) && can_drive();
   const bool is_allowed =
       side_.before && !copy_ && !wants && (world_.stage.first || !ties_);  // what is wanted may leap
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
-  driven_.assign(other.size(), {});
-  if (wants) driven_ = allowed(driven_);
   wanted_.clear();
   for (Condition& c : a_->conditions) wanted_.push_back(std::exchange(c.wanted, zero3()));
   at_rest_ = true;

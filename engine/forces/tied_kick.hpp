@@ -88,6 +88,7 @@ class TiedKick {
     double stiffness;  // [N/m]
   };
 
+  bool can_drive();
   bool solve_with_slopes();
   void hold(Condition& condition, bool held);
   bool let_go();
