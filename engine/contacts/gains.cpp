@@ -5,8 +5,10 @@
 #include <map>
 #include <set>
 
+#include "articulates/solve/momenta.hpp"
 #include "base/sets.hpp"
 #include "contacts/bodies.hpp"
+#include "contacts/turn_back.hpp"
 
 namespace pantin {
 
@@ -35,30 +37,48 @@ struct Joined {
 
 /// Of islands that are joined, whether any of them is this.
 struct Traits {
-  bool missed = false, tied = false, rubs_on_world = false, rebounds = false;
+  bool missed = false, tied = false, driven = false, held = false, rubs_on_world = false, rebounds = false;
+  double enough = 0.0;  // [J] the kinetic energy, and what gravity would give in a step from rest
 
-  void add(const TouchIsland& island) {
+  void add(const TouchIsland& island, const Articulates& articulates) {
     missed = missed || island.missed;
-    tied = tied || island.problem.is_tied() || !island.articulates.empty();
+    tied = tied || !island.articulates.empty();
+    for (const std::uint32_t index : island.articulates) {
+      const Articulate& a = *articulates[index];
+      held = held || !is_free(a);
+      for (const Condition& c : a.conditions) driven = driven || c.value_rate != 0.0 || norm2(c.velocity) > 0.0;
+    }
     for (const IslandContact& c : island.problem.contacts) {
       rubs_on_world = rubs_on_world || (c.b < 0 && c.friction > 0.0);
       rebounds = rebounds || c.restitution > 0.0;
     }
   }
-  bool may_slow() const { return missed && rubs_on_world && !tied && !rebounds; }
+  /// By a gain of so much, which is an error whatever made it where it is a large part of all.
+  bool may_slow(double gain) const {
+    constexpr double large = 1e-3;
+    return !driven && ((missed && rubs_on_world && !tied && !rebounds) || gain > large * enough);
+  }
 };
 
-/// Slows all of these down alike, by so much energy [J] or to a stop. Returns what it took.
+/// Slows these down alike, by so much energy [J] or to a stop: against the world, or against their motion as one, which they
+/// keep. Returns what it took.
 double slow_down(Model& model, const Articulates& articulates, const std::set<std::uint32_t>& things, double by,
-                 bool drifted) {
+                 bool against_world, bool drifted) {
+  std::vector<BodyState> states;
+  for (const std::uint32_t thing : things) states.push_back(state_of(model, articulates, thing, drifted));
+  const MotionAsOne one = against_world ? MotionAsOne{} : motion_as_one(model, states);
   double kinetic = 0.0;
-  for (const std::uint32_t thing : things)
-    kinetic += kinetic_energy(model, state_of(model, articulates, thing, drifted), thing);
+  for (BodyState& s : states) {
+    s.v -= one.velocity_at(s.x);
+    s.w -= one.spin;
+    kinetic += 0.5 * (s.mass * norm2(s.v) + dot(s.w, own_inertia(s) * s.w));
+  }
   if (!(kinetic > 0.0)) return 0.0;
   const double taken = std::min(by, kinetic), less = std::sqrt(1.0 - taken / kinetic) - 1.0;
+  std::size_t i = 0;
   for (const std::uint32_t thing : things) {
-    const BodyState s = state_of(model, articulates, thing, drifted);
-    add_momenta(model, s, thing, s.v * (s.mass * less), s.R * (s.inertia * transposed_times(s.R, s.w)) * less);
+    const BodyState& s = states[i++];
+    add_momenta(model, s, thing, s.v * (s.mass * less), own_inertia(s) * s.w * less);
   }
   return taken;
 }
@@ -66,7 +86,7 @@ double slow_down(Model& model, const Articulates& articulates, const std::set<st
 }  // namespace
 
 Gains settle_gains(Model& model, const Articulates& articulates, std::span<const TouchIsland> placed,
-                   std::span<const TouchIsland> met, std::span<const WorkOnThing> beside, bool drifted) {
+                   std::span<const TouchIsland> met, std::span<const WorkOnThing> beside, double fallen, bool drifted) {
   Joined joined(model, placed, met);
   const std::size_t count = joined.islands.size();
   std::vector<double> work(count, 0.0), belts(count, 0.0);
@@ -81,13 +101,22 @@ Gains settle_gains(Model& model, const Articulates& articulates, std::span<const
   Gains sum;
   for (std::size_t i = 0; i < count; i++) sum.wrong += gain(i);
   std::vector<Traits> traits(count);
+  std::map<std::size_t, std::set<std::uint32_t>> gained;
   for (std::size_t i = 1; i < count; i++)
-    if (const std::size_t set = joined.sets.find(i); gain(set) > 0.0) traits[set].add(*joined.islands[i]);
-  std::map<std::size_t, std::set<std::uint32_t>> slowed;
-  for (std::size_t i = 1; i < count; i++)
-    if (const std::size_t set = joined.sets.find(i); traits[set].may_slow())
-      slowed[set].insert(joined.islands[i]->things.begin(), joined.islands[i]->things.end());
-  for (const auto& [set, things] : slowed) sum.taken_back += slow_down(model, articulates, things, gain(set), drifted);
+    if (const std::size_t set = joined.sets.find(i); gain(set) > 0.0) {
+      traits[set].add(*joined.islands[i], articulates);
+      gained[set].insert(joined.islands[i]->things.begin(), joined.islands[i]->things.end());
+    }
+  for (const auto& [set, things] : gained) {
+    Traits& of = traits[set];
+    if (of.driven) continue;
+    for (const std::uint32_t thing : things) {
+      const BodyState s = state_of(model, articulates, thing, drifted);
+      of.enough += kinetic_energy(model, s, thing) + 0.5 * s.mass * fallen * fallen;
+    }
+    if (of.may_slow(gain(set)))
+      sum.taken_back += slow_down(model, articulates, things, gain(set), of.rubs_on_world || of.held, drifted);
+  }
   return sum;
 }
 

@@ -15,8 +15,9 @@ struct Gains {
   double wrong = 0.0;       ///< [J] of all
   double taken_back = 0.0;  ///< [J] of that
 };
-/// Takes back, by slowing them down, what those got that missed the law, rub on the world, are not tied and do not rebound.
+/// Takes back what those got that are not tied, and missed the law, rub on the world and do not rebound, or got a large part of
+/// what they have, and would have that fell for a step, `fallen` [m/s] by then: by slowing them down, against the world if they rub on it, else against their motion as one.
 Gains settle_gains(Model& model, const Articulates& articulates, std::span<const TouchIsland> placed,
-                   std::span<const TouchIsland> met, std::span<const WorkOnThing> beside, bool drifted);
+                   std::span<const TouchIsland> met, std::span<const WorkOnThing> beside, double fallen, bool drifted);
 
 }  // namespace pantin

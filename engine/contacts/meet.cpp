@@ -169,8 +169,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     heat.add(work);
   });
   const std::vector<WorkOnThing> beside = answer_where_nothing_touches(model, articulates, islands, settings, sum);
-  const Gains gains =
-      settle_gains(model, articulates, std::span(space.placing).first(space.placed), islands, beside, settings.drifted);
+  const Gains gains = settle_gains(model, articulates, std::span(space.placing).first(space.placed), islands, beside,
+                                   norm(settings.gravity) * settings.step, settings.drifted);
   sum.wrong = gains.wrong;
   sum.taken_back = gains.taken_back;
   space.placed = 0;

@@ -16,13 +16,6 @@ constexpr double least_for_turn = 1e-9;
 /// Part of the energy of their motion about their centre that turning things as one may have.
 constexpr double most_for_turn = 1e-2;
 
-Mat3 own_inertia(const BodyState& s) {
-  Mat3 turning = zero33();
-  for (int i = 0; i < 3; i++)
-    if (s.inverse_inertia[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
-  return turning;
-}
-
 /// The spin with this angular momentum, about the axes that it can have one about.
 Vec3 turn_for(const Model& model, const Mat3& inertia, Vec3 angular) {
   if (model.plane.flat()) {
@@ -48,7 +41,37 @@ double energy_about_centre(const std::vector<BodyState>& states, double mass) {
   return sum;
 }
 
+/// About a centre.
+Mat3 inertia_of(std::span<const BodyState> states, Vec3 centre) {
+  Mat3 inertia = zero33();
+  for (const BodyState& s : states) {
+    const Vec3 r = s.x - centre;
+    inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
+  }
+  return inertia;
+}
+
 }  // namespace
+
+Mat3 own_inertia(const BodyState& s) {
+  Mat3 turning = zero33();
+  for (int i = 0; i < 3; i++)
+    if (s.inverse_inertia[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
+  return turning;
+}
+
+MotionAsOne motion_as_one(const Model& model, std::span<const BodyState> states) {
+  double mass = 0.0;
+  Vec3 centre = zero3(), momentum = zero3(), angular = zero3();
+  for (const BodyState& s : states) {
+    mass += s.mass;
+    centre += s.x * s.mass;
+    momentum += s.v * s.mass;
+  }
+  centre /= mass;
+  for (const BodyState& s : states) angular += cross(s.x - centre, s.v * s.mass) + own_inertia(s) * s.w;
+  return {centre, momentum / mass, turn_for(model, inertia_of(states, centre), angular)};
+}
 
 Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::span<const std::uint32_t> things,
                       bool drifted) {
@@ -71,11 +94,7 @@ double turn_as_one(Model& model, const Articulates& articulates, std::span<const
     centre += s.x * s.mass;
   }
   centre /= mass;
-  Mat3 inertia = zero33();
-  for (const BodyState& s : states) {
-    const Vec3 r = s.x - centre;
-    inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
-  }
+  const Mat3 inertia = inertia_of(states, centre);
   Vec3 turn = turn_for(model, inertia, missing);
   const double of_turn = 0.5 * dot(turn, inertia * turn), limit = most * energy_about_centre(states, mass);
   if (of_turn > limit) turn *= std::sqrt(limit / of_turn);

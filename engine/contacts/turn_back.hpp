@@ -10,6 +10,19 @@
 
 namespace pantin {
 
+/// [kg m²] World axes; 0 about an axis that it does not turn about.
+Mat3 own_inertia(const BodyState& state);
+
+/// The rigid motion that has the momentum and the angular momentum of some things, about the axes that one may have one about.
+struct MotionAsOne {
+  Vec3 centre = zero3();    ///< [m]
+  Vec3 velocity = zero3();  ///< [m/s]
+  Vec3 spin = zero3();      ///< [rad/s]
+
+  Vec3 velocity_at(Vec3 x) const { return velocity + cross(spin, x - centre); }
+};
+MotionAsOne motion_as_one(const Model& model, std::span<const BodyState> states);
+
 /// [kg m²/s] Of these things about the origin, world axes.
 Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::span<const std::uint32_t> things,
                       bool drifted);

@@ -259,3 +259,38 @@ test("a stack of five stands, of any size from 10 um to 1 km", function()
     for i, box in ipairs(scene.bodies) do expect((box.position - vec(0, size * (i - 0.5), 0)):length()):below(1e-6 * size) end
   end
 end)
+
+local function thin_rods(seed, length, thickness, rest)
+  return open_text(("scene.seed, scene.step = %d, 1 / 60 local length, thickness = %g, %g"):format(seed, length, thickness) .. [[
+
+    for i = 1, 20 do
+      local round, high = 2 * math.pi * math.random(), 2 * math.random() - 1
+      local along = vec(math.cos(round), 0, math.sin(round)) * math.sqrt(1 - high * high) + vec(0, high, 0)
+      local at = vec(0.4 * length * (math.random() - 0.5), 1 + 0.24 * length * i, 0.4 * length * (math.random() - 0.5))
+      scene:capsule { radius = thickness / 2, from = at - along * (length / 2), to = at + along * (length / 2), density = 1400 }
+    end
+  ]] .. rest)
+end
+
+test("thin rods that fall on a floor and on each other gain no energy in long steps", function()
+  for seed = 1, 3 do
+    for _, size in ipairs { { 0.05, 0.002 }, { 0.25, 0.0018 } } do
+      local scene = thin_rods(seed, size[1], size[2], "scene:floor {}")
+      scene:advance(1)
+      expect(scene.error.energy):below(3e-3)
+    end
+  end
+end)
+
+test("thin rods that meet in the air keep momentum and angular momentum, whatever gains are taken from them", function()
+  local scene = thin_rods(1, 0.25, 0.0018, [[
+    scene.gravity = vec(0, 0, 0)
+    for _, rod in ipairs(scene.bodies) do rod.velocity = (vec(0, 2, 0) - rod.position) * 6 end
+  ]])
+  scene:step()
+  local momentum, turning = scene.momentum, scene.angular_momentum
+  scene:advance(1)
+  expect(scene.error.energy):below(0.02)
+  expect((scene.momentum - momentum):length()):below(1e-12)
+  expect((scene.angular_momentum - turning):length()):below(1e-9 * turning:length())
+end)
