@@ -4,40 +4,16 @@
 #include <limits>
 #include <random>
 
-#include "base/hash.hpp"
 #include "bindings/lua_support.hpp"
 #include "lua/scene/open.hpp"
 #include "scene/errors.hpp"
+#include "support/sealed_state.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
 using Catch::Contains;
 
 namespace {
-
-/// What stands before a state.
-struct Head {
-  char magic[16];
-  std::uint64_t layout, size, hash;
-};
-
-/// The same with the checksum of what it now is.
-std::string sealed(std::string state) {
-  Head head{};
-  std::memcpy(&head, state.data(), sizeof head);
-  head.size = state.size() - sizeof head;
-  Hash hash;
-  hash.add(head.layout);
-  hash.add(head.size);
-  for (std::size_t at = sizeof head; at < state.size(); at += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, state.data() + at, std::min<std::size_t>(8, state.size() - at));
-    hash.add(word);
-  }
-  head.hash = hash.value;
-  std::memcpy(state.data(), &head, sizeof head);
-  return state;
-}
 
 template <class T>
 void put(std::string& state, std::size_t at, T value) {
@@ -77,7 +53,7 @@ int refused(const std::string& source, int steps, unsigned count) {
     std::string forged = state;
     for (unsigned k = 0; k < 1 + seed % 3; k++) {
       std::size_t at = 0;
-      do at = sizeof(Head) + random() % (state.size() - sizeof(Head) - 8);
+      do at = sizeof(StateHead) + random() % (state.size() - sizeof(StateHead) - 8);
       while (at + 8 > script && at < script + source.size());
       change(forged, at, random);
     }
