@@ -89,8 +89,7 @@ void Replay::look_at_files(const std::string& home) {
   for (const auto& [path, content] : recording_.head.files) {
     const bool comes_along = path.starts_with(home_as_recorded);
     const std::string file = comes_along ? home + path.substr(std::string(home_as_recorded).size()) : path;
-    const auto now = file_content(file);
-    if (now && *now != content)
+    if (holds_other(file, content))
       remarks_.push_back(text(file, " has changed since the recording was made: what it was then is played"));
   }
 }

@@ -15,6 +15,16 @@ std::optional<std::string> file_content(const std::string& path) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
+bool holds_other(const std::string& path, const std::string& content) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size != content.size()) return !error;
+  std::ifstream file(path, std::ios::binary);
+  std::string found(content.size(), '\0');
+  return file && (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != content);
+}
+
 std::string path_in(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
 }

@@ -6,6 +6,8 @@ namespace pantin {
 
 /// All of a file, or nothing where it cannot be read.
 std::optional<std::string> file_content(const std::string& path);
+/// Whether there is such a file and it holds something else. One of another size is not read.
+bool holds_other(const std::string& path, const std::string& content);
 /// "a" and "b" joined by a slash, or "b" where "a" is empty.
 std::string path_in(const std::string& folder, const std::string& name);
 /// Whether a relative path stays below the folder it begins in.

@@ -357,3 +357,21 @@ TEST_CASE("recording: the program plays one again") {
   CHECK(none.code == 1);
   CHECK_THAT(none.err, Contains("scene.lua:1: this is no recording"));
 }
+
+TEST_CASE("recording: files that it names are read only where they may be what they were") {
+  Folder folder;
+  write_file(folder / "scene.lua", "scene:particle{}");
+  write_file(folder / "huge", "");
+  std::filesystem::resize_file(folder / "huge", std::uintmax_t{1} << 40);  // of nothing, but more than any memory
+  const player::RecordingHead head{player::program_version(),
+                                   folder / "scene.lua",
+                                   {},
+                                   {{folder / "scene.lua", "scene:particle{}"},
+                                    {folder / "huge", "x"},
+                                    {"/proc/kmsg", ""},  // which waits for what is to come
+                                    {"/dev/zero", "x"}}};
+  { Recorder recorder(folder / "play.rec", head); }
+  const Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  REQUIRE(replay.remarks().size() == 1);
+  CHECK_THAT(replay.remarks()[0], Contains("huge has changed"));
+}
