@@ -55,9 +55,11 @@ Recording read_recording(const std::string& path) {
   return recording;
 }
 
-Recorder::Recorder(const std::string& path, RecordingHead head) : path_(path), file_(path, std::ios::binary) {
+Recorder::Recorder(const std::string& path, RecordingHead head) : path_(path) {
+  const std::string first = line_of(head);
+  file_.open(path, std::ios::binary);
   require(static_cast<bool>(file_), path, ": this file cannot be written");
-  file_ << line_of(head) << '\n' << std::flush;
+  file_ << first << '\n' << std::flush;
   contents_ = std::move(head.files);
 }
 

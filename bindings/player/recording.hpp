@@ -18,6 +18,7 @@
 //   "time" and "hash"        of the state, once a simulated second
 //   "end"                    the last step was done
 // Numbers are written so that they are read back to the bit.
+// Of texts that need not be UTF-8 each byte is a character.
 #include <cstdint>
 #include <fstream>
 #include <map>

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 
 std::string hexadecimal(std::uint64_t value) {
   char digits[17];
@@ -34,7 +34,7 @@ std::uint64_t from_hexadecimal(const std::string& digits) {
   return value;
 }
 
-/// JSON is UTF-8, and files need not be: each byte becomes a character.
+/// JSON is UTF-8, and what a scene or a file says need not be: each byte becomes a character.
 std::string letters_of(const std::string& bytes) {
   std::string letters;
   for (const char byte : bytes) {
@@ -54,10 +54,20 @@ std::string bytes_of(const std::string& letters) {
       bytes += letters[i];
       continue;
     }
-    require((code == 0xc2 || code == 0xc3) && i + 1 < letters.size(), "a file's content has a letter that is no byte");
+    require((code == 0xc2 || code == 0xc3) && i + 1 < letters.size(), "a text has a letter that is no byte");
     bytes += static_cast<char>((code & 3) << 6 | (static_cast<unsigned char>(letters[++i]) & 0x3f));
   }
   return bytes;
+}
+
+/// Throws Error where it is none, or not of that type: a cast would be undefined.
+template <class Whole>
+Whole whole_of(const Json& json) {
+  require(json.is_number_integer(), json.dump(), " is no whole number");
+  const bool fits = json.is_number_unsigned() ? std::in_range<Whole>(json.get<std::uint64_t>())
+                                              : std::in_range<Whole>(json.get<std::int64_t>());
+  require(fits, json.dump(), " is out of range");
+  return json.get<Whole>();
 }
 
 /// JSON has no infinity.
@@ -73,6 +83,17 @@ double number_of(const Json& json) {
   return name == "inf" ? infinity : -infinity;
 }
 
+Json json_of(const SceneValue& value) {
+  if (const auto* letters = std::get_if<std::string>(&value)) return letters_of(*letters);
+  return std::visit([](const auto& plain) { return Json(plain); }, value);
+}
+
+SceneValue value_of(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_string()) return bytes_of(json);
+  return json.get<double>();
+}
+
 Json json_of(Vec3 v) { return Json::array({json_of(v[0]), json_of(v[1]), json_of(v[2])}); }
 Vec3 vec_of(const Json& json) { return vec(number_of(json.at(0)), number_of(json.at(1)), number_of(json.at(2))); }
 
@@ -82,7 +103,7 @@ Json json_of(Handle<Row> id) {
 }
 template <class Row>
 void read(const Json& json, Handle<Row>& id) {
-  id = {json.at(0), json.at(1)};
+  id = {whole_of<std::uint32_t>(json.at(0)), whole_of<std::uint32_t>(json.at(1))};
 }
 
 constexpr std::array<const char*, 12> kinds = {"nothing", "point",      "particle",    "body",  "constraint", "group",
@@ -104,7 +125,7 @@ AnyId thing_of(const Json& json) {
   AnyId thing;
   if (json.is_null()) return thing;
   const std::string kind = json.at(0);
-  const std::uint32_t slot = json.at(1), generation = json.at(2);
+  const auto slot = whole_of<std::uint32_t>(json.at(1)), generation = whole_of<std::uint32_t>(json.at(2));
   const auto find = [&]<std::size_t... k>(std::index_sequence<k...>) {
     return ((kind == kinds[k + 1] &&
              (thing.emplace<k + 1>(std::variant_alternative_t<k + 1, AnyId>{slot, generation}), true)) ||
@@ -129,7 +150,7 @@ Json json_of(const Command& c) {
   if (c.radius != 0.0) json["radius"] = json_of(c.radius);
   if (c.energy != 0.0) json["energy"] = json_of(c.energy);
   if (c.value != 0.0) json["value"] = json_of(c.value);
-  if (!c.name.empty()) json["name"] = c.name;
+  if (!c.name.empty()) json["name"] = letters_of(c.name);
   return json;
 }
 
@@ -148,7 +169,7 @@ MadeForm form_of(const std::string& name) {
 Command command_of(const Json& json) {
   Command c;
   c.kind = kind_of(json.at("kind"));
-  c.hand = json.at("hand");
+  c.hand = whole_of<std::int32_t>(json.at("hand"));
   for (const auto& [name, value] : json.items()) {
     if (name == "point")
       read(value, c.point);
@@ -177,7 +198,7 @@ Command command_of(const Json& json) {
     else if (name == "value")
       c.value = number_of(value);
     else if (name == "name")
-      c.name = value;
+      c.name = bytes_of(value);
     else
       require(name == "kind" || name == "hand", "a command has no '", name, "'");
   }
@@ -195,12 +216,12 @@ void write(Json& line, const DoneAtOnce& done) {
 }
 void write(Json& line, const HandCame&) { line["hand"] = true; }
 void write(Json& line, const ParameterChange& change) {
-  line["parameter"] = change.name;
-  std::visit([&](const auto& value) { line["value"] = value; }, change.value);
+  line["parameter"] = letters_of(change.name);
+  line["value"] = json_of(change.value);
 }
 void write(Json& line, const FieldEdit& edit) {
   line["edit"] = json_of(edit.thing);
-  line["field"] = edit.field;
+  line["field"] = letters_of(edit.field);
   if (const auto* number = std::get_if<double>(&edit.value))
     line["value"] = *number;
   else if (const auto* truth = std::get_if<bool>(&edit.value))
@@ -208,7 +229,7 @@ void write(Json& line, const FieldEdit& edit) {
   else if (const auto* vector = std::get_if<Vec3>(&edit.value))
     line["value"] = json_of(*vector);
   else
-    line["value"] = std::get<std::string>(edit.value);
+    line["value"] = letters_of(std::get<std::string>(edit.value));
 }
 void write(Json& line, const StateKept& kept) { line["keep"] = kept.number; }
 void write(Json& line, const StateRestored& restored) { line["restore"] = restored.number; }
@@ -235,20 +256,14 @@ StepInput input_of(const Json& line) {
   StepInput input;
   if (line.contains("moves"))
     for (const Json& move : line["moves"])
-      input.moves.push_back(
-          {move.at(0), vec(number_of(move.at(1)), number_of(move.at(2)), number_of(move.at(3))), move.at(4)});
+      input.moves.push_back({whole_of<std::int32_t>(move.at(0)),
+                             vec(number_of(move.at(1)), number_of(move.at(2)), number_of(move.at(3))), move.at(4)});
   if (line.contains("commands")) input.commands = commands_of(line["commands"]);
   return input;
 }
 
-SceneValue value_of(const Json& json) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (json.is_string()) return json.get<std::string>();
-  return json.get<double>();
-}
-
 FieldEdit edit_of(const Json& line) {
-  FieldEdit edit{thing_of(line.at("edit")), line.at("field"), 0.0};
+  FieldEdit edit{thing_of(line.at("edit")), bytes_of(line.at("field")), 0.0};
   const Json& value = line.at("value");
   if (value.is_array())
     edit.value = vec_of(value);
@@ -260,30 +275,24 @@ FieldEdit edit_of(const Json& line) {
 }  // namespace
 
 std::string line_of(const RecordingHead& head) {
-  Json line{
-      {"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
+  Json line{{"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}};
+  line["set"] = Json::object();
+  for (const auto& [name, value] : head.set) line["set"][letters_of(name)] = letters_of(value);
   line["files"] = Json::object();
   for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
-  for (const auto& [name, value] : head.saved) {
-    Json& json = line["saved"][letters_of(name)];
-    std::visit([&](const auto& plain) { json = plain; }, value);
-    if (const auto* letters = std::get_if<std::string>(&value)) json = letters_of(*letters);
-  }
+  for (const auto& [name, value] : head.saved) line["saved"][letters_of(name)] = json_of(value);
   return line.dump();
 }
 
 RecordingHead head_of(const std::string& text) {
   const Json line = Json::parse(text);
-  const int found = line.at("pantin");
+  const auto found = whole_of<int>(line.at("pantin"));
   require(found == format_version, "it has the format ", found, ", and this program reads the format ", format_version);
-  RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
+  RecordingHead head{line.at("version"), bytes_of(line.at("scene")), {}, {}};
+  for (const auto& [name, value] : line.at("set").items()) head.set.emplace(bytes_of(name), bytes_of(value));
   for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
   if (line.contains("saved"))
-    for (const auto& [name, json] : line.at("saved").items()) {
-      SceneValue value = value_of(json);
-      if (auto* letters = std::get_if<std::string>(&value)) *letters = bytes_of(*letters);
-      head.saved.emplace(bytes_of(name), std::move(value));
-    }
+    for (const auto& [name, json] : line.at("saved").items()) head.saved.emplace(bytes_of(name), value_of(json));
   return head;
 }
 
@@ -295,7 +304,7 @@ std::string line_of(const RecordedAct& act) {
 
 RecordedAct act_of(const std::string& text_of_line) {
   const Json line = Json::parse(text_of_line);
-  RecordedAct act{line.at("tick"), RecordingEnd{}};
+  RecordedAct act{whole_of<std::uint64_t>(line.at("tick")), RecordingEnd{}};
   if (line.contains("moves") || line.contains("commands"))
     act.what = input_of(line);
   else if (line.contains("at_once"))
@@ -303,13 +312,13 @@ RecordedAct act_of(const std::string& text_of_line) {
   else if (line.contains("hand"))
     act.what = HandCame{};
   else if (line.contains("parameter"))
-    act.what = ParameterChange{line.at("parameter"), value_of(line.at("value"))};
+    act.what = ParameterChange{bytes_of(line.at("parameter")), value_of(line.at("value"))};
   else if (line.contains("edit"))
     act.what = edit_of(line);
   else if (line.contains("keep"))
-    act.what = StateKept{line.at("keep")};
+    act.what = StateKept{whole_of<std::uint64_t>(line.at("keep"))};
   else if (line.contains("restore"))
-    act.what = StateRestored{line.at("restore")};
+    act.what = StateRestored{whole_of<std::uint64_t>(line.at("restore"))};
   else if (line.contains("restart"))
     act.what = Restarted{};
   else if (line.contains("file"))

@@ -293,8 +293,8 @@ TEST_CASE("recording: another version and what is none are told") {
   CHECK_THROWS_WITH(player::read_recording(folder / "nowhere"), Contains("there is no such file"));
   write_file(folder / "text", "hello\n");
   CHECK_THROWS_WITH(player::read_recording(folder / "text"), Contains("text:1: this is no recording"));
-  write_file(folder / "next", "{\"pantin\":3}\n");
-  CHECK_THROWS_WITH(player::read_recording(folder / "next"), Contains("it has the format 3"));
+  write_file(folder / "next", "{\"pantin\":4}\n");
+  CHECK_THROWS_WITH(player::read_recording(folder / "next"), Contains("it has the format 4"));
 }
 
 TEST_CASE("recording: every command comes back as it was written") {
@@ -356,6 +356,43 @@ TEST_CASE("recording: the program plays one again") {
   const Finished none = use({"replay", "scene.lua"});
   CHECK(none.code == 1);
   CHECK_THAT(none.err, Contains("scene.lua:1: this is no recording"));
+}
+
+TEST_CASE("recording: texts come back to the byte, whether they are UTF-8 or not") {
+  const std::string name = "\xff \xc3\xa9 \xe2\x86\x92";
+  const player::RecordingHead head{"0.1", name, {{name, name}}, {{name, name}}, {{name, name}}};
+  const player::RecordingHead head_again = player::head_of(player::line_of(head));
+  CHECK((head_again.scene == name && head_again.set == head.set && head_again.files == head.files));
+  CHECK(head_again.saved == head.saved);
+  const auto again = [](const auto& what) {
+    return std::get<std::decay_t<decltype(what)>>(player::act_of(player::line_of({1, what})).what);
+  };
+  Command command;
+  command.name = name;
+  CHECK(again(player::DoneAtOnce{{command}}).commands.at(0).name == name);
+  const auto change = again(player::ParameterChange{name, name});
+  CHECK((change.name == name && change.value == SceneValue(name)));
+  const auto edit = again(player::FieldEdit{BodyId{1, 1}, name, name});
+  CHECK((edit.field == name && std::get<std::string>(edit.value) == name));
+}
+
+TEST_CASE("recording: where a whole number belongs no other is taken") {
+  for (const char* number : {"1e300", "1.5", "-1", "true", "\"1\"", "18446744073709551616", "null"}) {
+    INFO(number);
+    CHECK_THROWS(player::act_of(text("{\"tick\":", number, ",\"end\":true}")));
+    CHECK_THROWS(player::act_of(text("{\"tick\":1,\"keep\":", number, "}")));
+    CHECK_THROWS(
+        player::act_of(text("{\"tick\":1,\"edit\":[\"body\",", number, ",1],\"field\":\"mass\",\"value\":1}")));
+  }
+  for (const char* number : {"1e300", "1.5", "4294967296", "true"})
+    CHECK_THROWS(player::act_of(text("{\"tick\":1,\"moves\":[[", number, ",0,0,0,true]]}")));
+  Folder folder;
+  play(folder, 2);
+  std::string content = read_file(folder / "play.rec");
+  const std::string tick = "{\"tick\":240,";
+  content.replace(content.find(tick), tick.size(), "{\"tick\":1e300,");
+  write_file(folder / "odd.rec", content);
+  CHECK_THAT(player::read_recording(folder / "odd.rec").damage, Contains("odd.rec:") && Contains("no whole number"));
 }
 
 TEST_CASE("recording: files that it names are read only where they may be what they were") {
