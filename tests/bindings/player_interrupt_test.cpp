@@ -45,6 +45,23 @@ TEST_CASE("program: Ctrl-C ends with what there is") {
   CHECK_THAT(process.err(), Contains("stopped at"));
 }
 
+TEST_CASE("program: what waits in a play is opened again no longer than until Ctrl-C") {
+  Folder folder;
+  write_file(folder / "wait.lua",
+             "local n = 0 scene:on('step', function() n = n + 1 if n == 20 then print('on its way') "
+             "end for i = 1, n > 20 and 4e6 or 0 do end end)\n"
+             "scene:play(function(wait) wait(1e6) end)");
+  const Finished saved = use(folder, {"run", "wait.lua", "--until", "0.7", "--save-at", "0.5", "--script-limit", "0"});
+  REQUIRE(saved.code == 0);
+  Process process(
+      options({"run", "wait.pantin", "--until", "0.6", "--script-limit", "0", "--out", "a.csv"}, folder.path));
+  REQUIRE(says(process, "on its way"));
+  process.signal(SIGINT);
+  CHECK(process.wait(patience) == 1);
+  CHECK_THAT(process.err(), Contains("on the way to the saved state") || Contains("was interrupted"));
+  CHECK(folder.files() == std::vector<std::string>{"wait.lua", "wait.pantin"});
+}
+
 TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and a second one kills without a trace") {
   Folder folder;
   write_file(folder / "opens.lua", "local s = ('a'):rep(1e6) print('loops')\ns:find('.-.-.-b')");

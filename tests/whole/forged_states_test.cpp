@@ -6,7 +6,9 @@
 
 #include "bindings/lua_support.hpp"
 #include "lua/scene/open.hpp"
+#include "measure/measure.hpp"
 #include "scene/errors.hpp"
+#include "scene/interrupt.hpp"
 #include "support/sealed_state.hpp"
 
 using namespace pantin;
@@ -133,4 +135,26 @@ TEST_CASE("forged_states: each of many is refused, or goes on", "[slow]") {
   CHECK(refused(heap, 60, 3000) > 400);
   CHECK(refused(gas, 20, 3000) > 400);
   CHECK(refused(edited, 20, 3000) > 400);
+}
+
+TEST_CASE(
+    "forged_states: a way to a waiting script that does not fit its time is refused, and Ctrl-C ends a long one") {
+  const auto scene = open("scene:particle {} scene:play(function(wait) wait(1) end)");
+  for (int i = 0; i < 12; i++) scene->step();
+  const std::string state = scene->state();
+  const auto reopen = [&](std::uint64_t steps, double time) {
+    std::string forged = state;
+    put(forged, state.size() - 24, steps);
+    put(forged, state.size() - 16, time);
+    return lua::open_state(sealed(forged), "forged.pantin", options());
+  };
+  const double time = scene->world().time;
+  CHECK(state_hash(reopen(12, time)->world()) == state_hash(scene->world()));
+  constexpr std::uint64_t endless = std::uint64_t{1} << 60;
+  CHECK_THROWS_WITH(reopen(endless, time), Contains("forged.pantin: the state cannot be read: it is to be of"));
+  CHECK_THROWS_WITH(reopen(endless, std::nan("")), Contains("it is to be of"));
+  CHECK_THROWS_WITH(reopen(11, time), Contains("it did not come to the same state again"));
+  interrupt_scripts();
+  CHECK_THROWS_AS(reopen(endless, 1e18), Interrupted);
+  allow_scripts();
 }

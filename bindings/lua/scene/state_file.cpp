@@ -14,6 +14,8 @@
 #include "lua/value/tostring.hpp"
 #include "measure/measure.hpp"
 #include "scene/errors.hpp"
+#include "scene/headway.hpp"
+#include "scene/interrupt.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace pantin::lua {
@@ -235,8 +237,24 @@ std::unique_ptr<Scene> scene_with(Reader& from, const SceneOptions& options) {
 
 /// How far a scene had come whose script waits: nobody but the script was at work, so it does the same again.
 struct WayCome {
-  std::uint64_t steps = 0, hash = 0;
+  std::uint64_t steps = 0;
+  double time = 0.0;  ///< [s]
+  std::uint64_t hash = 0;
 };
+
+/// Throws Error where it leads elsewhere, and Interrupted where the program is to end.
+void come_again(Scene& scene, const WayCome& way) {
+  const World& world = scene.world();
+  Headway headway(world, way.time);
+  while (world.steps < way.steps) {
+    if (scripts_interrupted()) throw Interrupted(text("stopped at ", world.time, " s, on the way to the saved state"));
+    require(world.time < way.time, "it is to be of ", way.time, " s, and does not take ", way.steps, " steps to there");
+    scene.step();
+    require(world.failure.empty(), world.failure);
+    headway.check(world);
+  }
+  require(state_hash(world) == way.hash, "it did not come to the same state again");
+}
 
 std::unique_ptr<Scene> scene_again(Reader& from, const SceneOptions& given) {
   Script sources(given);
@@ -251,8 +269,7 @@ std::unique_ptr<Scene> scene_again(Reader& from, const SceneOptions& given) {
   const Runtime& runtime = sources.runtime;
   require(runtime.chunks.size() > 1, "its script is missing");
   auto scene = open_scene_text(runtime.chunks[1].source, runtime.name, runtime.folder, options);
-  while (scene->world().steps < way.steps) scene->step();
-  require(state_hash(scene->world()) == way.hash, "it did not come to the same state again");
+  come_again(*scene, way);
   script_of(*scene).options.save = given.save;
   return scene;
 }
@@ -284,7 +301,7 @@ std::string state_of(Script& script) {
   visit(to, again);
   visit_sources(to, script);
   if (!again) renew_laws(script.world, script.laws);
-  WayCome way{script.world.steps, state_hash(script.world)};
+  WayCome way{script.world.steps, script.world.time, state_hash(script.world)};
   try {
     if (again)
       visit(to, way);
@@ -327,7 +344,9 @@ std::unique_ptr<Scene> open_state(const std::string& bytes, const std::string& n
         "the state was saved by another version of Pantin, and only that can go on from it");
   try {
     return scene_from(body, options);
-  } catch (const Error& error) { throw UsageError(text(name, ": the state cannot be read: ", error.what())); }
+  } catch (const Interrupted&) { throw; } catch (const Error& error) {
+    throw UsageError(text(name, ": the state cannot be read: ", error.what()));
+  }
 }
 
 }  // namespace pantin::lua
