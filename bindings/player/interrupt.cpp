@@ -1,7 +1,5 @@
 #include "player/interrupt.hpp"
 
-#include <csignal>
-
 #include "player/unfinished.hpp"
 #include "scene/interrupt.hpp"
 
@@ -29,18 +27,23 @@ void note(int number) {
 Interrupt::Interrupt() {
   interrupted = 0;
   allow_scripts();
-  struct sigaction action {};
-  action.sa_handler = note;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGABRT, die);
+  auto* before = before_.begin();
+  const auto hear = [&](int number, void (*handler)(int), int flags) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigaction(number, &action, before);
+    if (number == SIGHUP && before->sa_handler == SIG_IGN) sigaction(number, before, nullptr);  // as nohup wants it
+    before++;
+  };
+  for (const int number : asks) hear(number, note, SA_RESTART);
+  for (const int number : kills) hear(number, die, 0);
 }
 
 Interrupt::~Interrupt() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-  std::signal(SIGABRT, SIG_DFL);
+  const auto* before = before_.begin();
+  for (const int number : asks) sigaction(number, before++, nullptr);
+  for (const int number : kills) sigaction(number, before++, nullptr);
   interrupted = 0;
   allow_scripts();
 }

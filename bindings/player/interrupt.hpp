@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
+#include <csignal>
 
 namespace pantin::player {
 
-/// While it lives, Ctrl-C and SIGTERM ask for a clean end instead of killing the program, and stop a script that does not
-/// come back; a second one removes what is half written, and kills.
+/// While it lives, Ctrl-C, SIGTERM and a terminal that goes away ask for a clean end instead of killing the program, and stop
+/// a script that does not come back; a second one, SIGQUIT and SIGABRT remove what is half written, and kill.
 class Interrupt {
  public:
   Interrupt();
@@ -12,6 +14,11 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   static bool asked();
+
+ private:
+  static constexpr std::array asks{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array kills{SIGABRT, SIGQUIT};
+  std::array<struct sigaction, asks.size() + kills.size()> before_{};
 };
 
 }  // namespace pantin::player

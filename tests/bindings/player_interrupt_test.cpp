@@ -45,6 +45,25 @@ TEST_CASE("program: Ctrl-C ends with what there is") {
   CHECK_THAT(process.err(), Contains("stopped at"));
 }
 
+TEST_CASE("program: a terminal that goes away ends it with what there is, and SIGQUIT leaves nothing half written") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing + std::string("scene:at(0.1, function() print('swings') end)"));
+  const std::vector<std::string> run = {"run", "swing.lua", "--until", "1e6", "--out", "a.csv"};
+  const auto kill = [&](Process::Options process_options, int number) {
+    Process process(process_options);
+    REQUIRE(says(process, "swings"));
+    process.signal(number);
+    return process.wait(patience);
+  };
+  Process::Options bare = options({}, folder.path);
+  bare.arguments = {"bash", "-c", "ulimit -c 0; exec \"$0\" \"$@\"", sources::program()};
+  bare.arguments.insert(bare.arguments.end(), run.begin(), run.end());
+  CHECK(kill(bare, SIGQUIT) == 128 + SIGQUIT);
+  CHECK(folder.files() == std::vector<std::string>{"swing.lua"});
+  CHECK(kill(options(run, folder.path), SIGHUP) == 0);
+  CHECK(folder.files() == std::vector<std::string>{"a.csv", "swing.lua"});
+}
+
 TEST_CASE("program: what waits in a play is opened again no longer than until Ctrl-C") {
   Folder folder;
   write_file(folder / "wait.lua",

@@ -30,7 +30,7 @@ Foreman::Foreman(const std::function<std::string(const std::string&)>& work,
   require(process_ >= 0, "sweep: no process: ", std::strerror(errno));
   if (process_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    std::signal(SIGINT, SIG_IGN);
+    for (const int number : {SIGINT, SIGHUP}) std::signal(number, SIG_IGN);
     std::signal(SIGTERM, SIG_DFL);
     close(there[1]);
     close(back[0]);

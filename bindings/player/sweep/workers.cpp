@@ -51,7 +51,8 @@ Workers::~Workers() {
 
 void Workers::serve(int from, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::signal(SIGINT, SIG_IGN);  // which the terminal sends to all: the first process ends this one
+  for (const int number : {SIGINT, SIGHUP})
+    std::signal(number, SIG_IGN);  // which the terminal sends to all: the first process ends this one
   std::signal(SIGTERM, SIG_DFL);
   close_all_but(from, to);
   for (std::string piece; read_text(from, piece);)
