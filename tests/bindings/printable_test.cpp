@@ -29,6 +29,17 @@ TEST_CASE("printable: bytes that are no UTF-8 are shown as theirs") {
   CHECK(printable("\xc0\x9b\xf8") == "\\xc0\\x9b\\xf8");
 }
 
+TEST_CASE("printable: what turns the direction of reading or separates lines is shown as its code") {
+  for (const char* code : {"\u061c", "\u200e", "\u200f", "\u2028", "\u2029", "\u202a", "\u202e", "\u2066", "\u2069"})
+    CHECK_THAT(printable(code), Catch::StartsWith("\\x") && !Contains(code));
+  CHECK(printable("a\u202eb") == "a\\xe2\\x80\\xaeb");
+}
+
+TEST_CASE("printable: letters written too long, halves of pairs and what is beyond all letters are no UTF-8") {
+  for (const char* bytes : {"\xe0\x80\x80", "\xf0\x80\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+    CHECK_THAT(printable(bytes), Catch::StartsWith("\\x") && !Contains(bytes));
+}
+
 TEST_CASE("printable: nothing that a scene, a test or an option says reaches the terminal raw") {
   Folder folder;
   const std::string hostile = R"(
