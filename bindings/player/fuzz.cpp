@@ -10,6 +10,7 @@
 #include "player/output.hpp"
 #include "scene/errors.hpp"
 #include "scene/files.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -44,7 +45,7 @@ std::string keep_find(std::vector<std::string> statements, const Find& find, std
 }
 
 void tell(const std::string& name, const Find& find) {
-  std::printf("%s: %s: %s\n", name.c_str(), find.kind.c_str(), one_line(find.text).c_str());
+  std::printf("%s\n", printable(one_line(text(name, ": ", find.kind, ": ", find.text))).c_str());
   std::fflush(stdout);
 }
 
@@ -114,7 +115,7 @@ int fuzz(const FuzzOptions& options, const std::string& home) {
     if (find.kind.empty()) continue;
     finds++;
     tell(text("seed ", seed), find);
-    std::printf("  %s\n", keep_find(statements, find, seed, folder, home).c_str());
+    std::printf("  %s\n", printable(keep_find(statements, find, seed, folder, home)).c_str());
     std::fflush(stdout);
   }
   std::printf("%llu scenes from seed %llu in %.0f s, %d finds\n", static_cast<unsigned long long>(scenes),

@@ -13,6 +13,7 @@
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "scene/errors.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -62,11 +63,10 @@ double timed_steps(Scene& scene, std::uint64_t steps) {
 }
 
 void print_soak(const Soak& s) {
-  const std::string fault = s.fault();
-  std::printf("%-16s %9llu %8.1f %8.1f %9.1f %9.1f %9.1e %9.1e %9.1e  %s\n",
-              std::filesystem::path(s.scene).stem().string().c_str(), static_cast<unsigned long long>(s.steps),
-              s.memory_early, s.memory_late, s.step_early, s.step_late, s.energy_early, s.energy_late, s.gap,
-              fault.empty() ? "" : fault.c_str());
+  const std::string name = std::filesystem::path(s.scene).stem(), fault = s.fault();
+  std::printf("%-16s %9llu %8.1f %8.1f %9.1f %9.1f %9.1e %9.1e %9.1e  %s\n", printable(name).c_str(),
+              static_cast<unsigned long long>(s.steps), s.memory_early, s.memory_late, s.step_early, s.step_late,
+              s.energy_early, s.energy_late, s.gap, printable(fault).c_str());
   std::fflush(stdout);
 }
 

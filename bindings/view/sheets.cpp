@@ -4,6 +4,8 @@
 #include <iostream>
 #include <utility>
 
+#include "scene/printable.hpp"
+
 namespace pantin {
 
 struct Sheets::Programs {
@@ -24,7 +26,7 @@ namespace {
 
 Texture texture_of(const Picture& picture) {
   if (auto made = Texture::of_content(picture.content)) return std::move(*made);
-  std::cerr << "pantin: the picture '" << picture.file << "' cannot be made out\n";
+  std::cerr << "pantin: the picture '" << printable(picture.file) << "' cannot be made out\n";
   constexpr std::uint8_t white[] = {255, 255, 255, 255};
   return {white, 1, 1};
 }

@@ -52,11 +52,13 @@ TEST_CASE("printable: nothing that a scene, a test or an option says reaches the
   )";
   write_file(folder / "hostile.lua", hostile);
   write_file(folder / "broken.lua", hostile + "error '\\27[8m'");
+  write_file(folder / "stops.lua", "scene:particle() scene:at(0.01, function() error '\\27[2J' end)");
   write_file(folder / "hostile_test.lua", "test('\\27[2J', function() expect('\\27[3J'):equal(1) error '\\27[4m' end)");
   const std::vector<std::vector<std::string>> uses = {
       {"run", "hostile.lua", "--until", "0.1"},
       {"run", "broken.lua", "--until", "0.1"},
       {"test", "hostile_test.lua"},
+      {"test", "soak", "--scene", "stops.lua", "--steps", "100"},
       {"run", "\x1b[2J.lua"},
       {"run", "hostile.lua", "--set", "\x1b[2J=1"},
       {"run", "hostile.lua", "--\x1b[2J"},
