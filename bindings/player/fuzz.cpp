@@ -50,15 +50,17 @@ void tell(const std::string& name, const Find& find) {
 }
 
 int look_at_files(const std::vector<std::string>& files, const std::string& home) {
-  int finds = 0;
+  int finds = 0, closed = 0;
   for (const std::string& file : files) {
-    const Find find = examine(file_content(file).value(), home);
+    const auto source = file_content(file);
+    const Find find = source ? examine(*source, home) : Find{unopened, "there is no such file"};
     if (find.kind.empty()) continue;
-    finds++;
+    find.kind == unopened ? closed++ : finds++;
     tell(file, find);
   }
-  std::printf("%zu scenes, %d finds\n", files.size(), finds);
-  return finds == 0 ? 0 : 1;
+  const std::string not_opened = closed > 0 ? text(", ", closed, " not opened") : "";
+  std::printf("%zu scenes, %d finds%s\n", files.size(), finds, not_opened.c_str());
+  return finds + closed == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -112,7 +114,7 @@ int fuzz(const FuzzOptions& options, const std::string& home) {
   for (std::uint64_t seed = options.seed; scenes == 0 || watch.seconds() < options.seconds; seed++, scenes++) {
     const std::vector<std::string> statements = random_scene(seed, home);
     const Find find = examine(fuzz_source(statements), home);
-    if (find.kind.empty()) continue;
+    if (find.kind.empty() || find.kind == unopened) continue;
     finds++;
     tell(text("seed ", seed), find);
     std::printf("  %s\n", printable(keep_find(statements, find, seed, folder, home)).c_str());

@@ -160,16 +160,19 @@ Find look_at_save(const std::string& source, const std::string& home, const Cour
 }
 
 Find look_at_all(const std::string& source, const std::string& home) {
+  bool opened = false;
   const auto whole = [&](int threads) {
     Course course;
     try {
       const auto scene = open_fuzzed(source, home, threads);
+      opened = true;
       go_on(*scene, fuzz_steps, course);
     } catch (const Error& error) { course.stopped = error.what(); }
     return course;
   };
   const Course first = whole(1);
   if (const Course again = whole(1); again != first) return {"repeat", difference(first, again)};
+  if (!opened) return {unopened, first.stopped};
   if (first.hashes.empty()) return {};
   if (const Course threads = whole(2); threads != first) return {"threads", difference(first, threads)};
   for (const auto look : {look_at_run, look_at_snapshot, look_at_save})

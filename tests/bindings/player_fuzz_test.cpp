@@ -69,9 +69,14 @@ TEST_CASE("fuzz: a seed has its scene, and no two have the same") {
   CHECK(scene(7) != scene(8));
 }
 
-TEST_CASE("fuzz: a scene that stops with an error told is fine") {
-  CHECK(look_at_text("error('no')").code == 0);
-  CHECK(look_at_text("scene:particle().nothing = 1").code == 0);
+TEST_CASE("fuzz: a scene that stops with an error told is fine, and one that cannot be opened is told") {
+  CHECK(look_at_text("scene:particle() scene:at(0, function() error('no') end)").code == 0);
+  for (const char* source : {"error('no')", "scene:particle().nothing = 1", "no Lua"}) {
+    const support::Finished looked = look_at_text(source);
+    CHECK(looked.code == 1);
+    CHECK_THAT(looked.out, Catch::StartsWith("scene.lua: cannot be opened: fuzz.lua:1: ") &&
+                               Catch::Contains("1 scenes, 0 finds, 1 not opened\n"));
+  }
 }
 
 TEST_CASE("fuzz: a scene that runs another way each time is found") {

@@ -59,6 +59,7 @@ TEST_CASE("printable: nothing that a scene, a test or an option says reaches the
       {"run", "broken.lua", "--until", "0.1"},
       {"test", "hostile_test.lua"},
       {"test", "soak", "--scene", "stops.lua", "--steps", "100"},
+      {"test", "fuzz", "broken.lua"},
       {"run", "\x1b[2J.lua"},
       {"run", "hostile.lua", "--set", "\x1b[2J=1"},
       {"run", "hostile.lua", "--\x1b[2J"},
