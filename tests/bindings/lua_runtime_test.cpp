@@ -145,3 +145,14 @@ TEST_CASE("a script that calls itself for ever is stopped") {
             "local t = setmetatable({}, {}) getmetatable(t).__index = function(t, k) return t[k] end\nlocal x = t.x") !=
         "");
 }
+
+TEST_CASE("an error's text is told beyond a byte of zero") {
+  CHECK(failure("error 'abc\\0def'") == "scene.lua:1: abc\\x00def");
+}
+
+TEST_CASE("a script that is nested too deeply to be read is told by its file") {
+  CHECK_THAT(failure(std::string(1000, '(')), Contains("scene.lua") && Contains("overflow"));
+  std::string labels;
+  for (int i = 0; i < 30000; i++) labels += "::e" + std::to_string(i) + "::";
+  CHECK(failure(labels) == "scene.lua: C stack overflow");
+}

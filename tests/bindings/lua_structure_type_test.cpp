@@ -89,6 +89,8 @@ TEST_CASE("bad structures and builds are told with their line") {
   CHECK_THAT(failure("structure.cube { side = 1 }"), Contains("cube: unknown field 'side'. Known are edge"));
   CHECK_THAT(failure("structure.cubes()"), Contains("unknown structure 'cubes'. Did you mean 'cube'?"));
   CHECK_THAT(failure("structure.prism { sides = 2.5 }"), Contains("sides must be a whole number, got 2.5"));
+  CHECK_THAT(failure("structure.sheet { columns = 1e9 }"), Contains("columns must be at most 100000, got 1e+09"));
+  CHECK_THAT(failure("structure.ring { sides = -1e300 }"), Contains("sides must be a whole number from 3"));
   CHECK_THAT(failure("structure.lattice { kind = 'fcd' }"), Contains("unknown kind 'fcd'"));
   CHECK_THAT(failure("structure.lattice { cells = vec(1, 0.5, 1) }"), Contains("cells must be whole numbers"));
   CHECK_THAT(failure("structure.lattice { cells = 900000 }"), Contains("at most 4000000 vertices"));

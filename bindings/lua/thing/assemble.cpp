@@ -49,7 +49,7 @@ std::optional<std::uint64_t> whole(const Options& o, const char* name) {
   const auto given = o.number(name, "");
   if (!given) return {};
   require(*given >= 0.0 && *given <= 9007199254740992.0 && std::trunc(*given) == *given, o.what(), ": ", name,
-          " must be a whole number >= 0, got ", *given);
+          " must be a whole number from 0 to 2^53, got ", *given);
   return static_cast<std::uint64_t>(*given);
 }
 

@@ -228,7 +228,8 @@ void read_mesh(Script& script, const Options& o, ShapeDef& def) {
 std::uint32_t count_of(const Options& o, const char* name) {
   const double count = o.number(name, "").value_or(0.0);
   require(count >= 2.0 && count <= most_heights && std::trunc(count) == count, o.what(), ": ", name,
-          " must be a whole number from 2, got ", o.has(name) ? to_text(count) : std::string("nil"));
+          " must be a whole number from 2 to ", most_heights, ", got ",
+          o.has(name) ? to_text(count) : std::string("nil"));
   return static_cast<std::uint32_t>(count);
 }
 

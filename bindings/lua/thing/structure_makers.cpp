@@ -17,6 +17,7 @@
 namespace pantin::lua {
 namespace {
 
+constexpr double most_parts = 1e5;                            // of a side, a row or the like
 constexpr std::size_t largest_file = std::size_t{256} << 20;  // bytes
 
 int push_made(lua_State* state, Structure structure) {
@@ -28,9 +29,9 @@ double length(const Options& o, const char* name) { return o.number(name, "m").v
 
 int whole(const Options& o, const char* name, int usual) {
   const double value = o.number(name, "").value_or(usual);
-  require(std::trunc(value) == value && std::fabs(value) < 1e9, o.what(), ": ", name, " must be a whole number, got ",
-          value);
-  return static_cast<int>(value);
+  require(std::trunc(value) == value, o.what(), ": ", name, " must be a whole number, got ", value);
+  require(value <= most_parts, o.what(), ": ", name, " must be at most ", most_parts, ", got ", value);
+  return static_cast<int>(std::fmax(value, -most_parts));
 }
 
 template <Structure (*shape)(double)>

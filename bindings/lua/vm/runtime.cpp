@@ -34,6 +34,11 @@ int panic(lua_State* state) {
   throw std::logic_error(text("a fault of Pantin itself: unprotected error of Lua: ", message ? message : "?"));
 }
 
+/// An error's text ends at its first.
+void show_nul(std::string& message) {
+  for (std::size_t at; (at = message.find('\0')) != std::string::npos;) message.replace(at, 1, "\\x00");
+}
+
 }  // namespace
 
 Runtime::Runtime(Limits limits, const Opener& opener)
@@ -123,9 +128,12 @@ void Runtime::fail(lua_State* state, int status) {
                    ? text("a string would be longer than ", longest_string >> 20, " MiB: keep its parts in a table")
                    : text("Lua's memory is full: the limit is ", limits_.bytes >> 20, " MiB (--memory-limit)");
   } else {
-    message = lua_tostring(state, -1);
+    std::size_t size = 0;
+    const char* bytes = lua_tolstring(state, -1, &size);
+    message.assign(bytes, size);
   }
   lua_pop(state, 1);
+  show_nul(message);
   if (message == stale_message) throw StaleHandle(message);
   if (message == usage_message) throw UsageError(message);
   if (watch_.over && scripts_interrupted()) throw Interrupted(message);
@@ -144,9 +152,10 @@ void load_text(lua_State* state, const SourceText& chunk) {
   const std::string& source = chunk.source;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
-  if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, ("@" + chunk.name).c_str(), "t") !=
-      LUA_OK)
-    lua_error(state);
+  const int status =
+      luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, ("@" + chunk.name).c_str(), "t");
+  if (status == LUA_ERRRUN) lua_pushfstring(state, "%s: %s", chunk.name.c_str(), lua_tostring(state, -1));
+  if (status != LUA_OK) lua_error(state);
 }
 
 std::optional<std::string> Runtime::read(const std::string& path) {
