@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "player/animation.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -33,10 +34,10 @@ class Animation::File {
     model_.asset.version = "2.0";
     model_.asset.generator = "Pantin";
     model_.buffers.emplace_back();
-    model_.scenes.emplace_back().name = title;
+    model_.scenes.emplace_back().name = printable(title);
     model_.defaultScene = 0;
     for (const Mesh& mesh : from_.meshes_) add_mesh(mesh);
-    if (frames_ > 1) model_.animations.emplace_back().name = title;
+    if (frames_ > 1) model_.animations.emplace_back().name = printable(title);
     for (const Node& node : from_.nodes_) add_node(node);
     if (frames_ > 1 && model_.animations[0].channels.empty()) model_.animations.clear();
   }
@@ -87,7 +88,7 @@ class Animation::File {
     tinygltf::Image image;
     image.bufferView = static_cast<int>(model_.bufferViews.size());
     image.mimeType = picture->content.starts_with('\x89') ? "image/png" : "image/jpeg";
-    image.name = picture->file;
+    image.name = printable(picture->file);
     tinygltf::BufferView view;
     view.buffer = 0;
     view.byteOffset = data.size();
@@ -161,7 +162,7 @@ class Animation::File {
 
   void add_node(const Node& node) {
     tinygltf::Node made;
-    made.name = node.name;
+    made.name = printable(node.name);
     made.mesh = static_cast<int>(node.mesh);
     made.translation = doubles(node.positions.front());
     made.rotation = doubles(node.turns.front());

@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class Outputs {
   void drop_state() { state_.clear(); }
   /// A message about temporary files, in the names that they are to have.
   std::string in_own_names(std::string message) const;
-  /// Does what writes a temporary file; where that throws Error the file is none of those that are kept.
+  /// Does what writes a temporary file; where that throws the file is none of those that are kept.
   template <class F>
   void complete(const std::string& temporary, F&& f) {
     complete(of(temporary), f);
@@ -45,7 +46,7 @@ class Outputs {
   void complete(Output& file, F&& f) {
     try {
       f();
-    } catch (const Error& error) { drop(file, error.what()); }
+    } catch (const std::exception& error) { drop(file, error.what()); }
   }
   void drop(Output& file, const std::string& why);
   Output& of(const std::string& temporary);

@@ -55,3 +55,15 @@ TEST_CASE("outputs: a run whose words cannot be written fails") {
   CHECK(run.code == 1);
   CHECK_THAT(run.err, Catch::Contains("No space left on device"));
 }
+
+TEST_CASE("outputs: names that are no UTF-8 lose nothing") {
+  Folder folder;
+  write_file(folder / "odd.lua",
+             "scene.title = '\\xff' scene:ball { radius = 1, density = 1, name = '\\xed\\xa0\\x80' }"
+             "scene:result('\\xfe', '\\xfe')");
+  const Finished run =
+      use(folder, {"run", "odd.lua", "--until", "0.1", "--out", "a.glb", "--out", "a.csv", "--summary", "s.json"});
+  CHECK(run.code == 0);
+  CHECK(folder.files() == std::vector<std::string>{"a.csv", "a.glb", "odd.lua", "s.json"});
+  CHECK_THAT(read_file(folder / "a.glb"), Catch::Contains("\\\\xff") && Catch::Contains("\\\\xed\\\\xa0\\\\x80"));
+}
