@@ -26,6 +26,17 @@ std::string temporary_name(const fs::path& target, int attempt) {
   return target.parent_path() / name;
 }
 
+/// What a path leads to once links are followed, those to what is not there as well.
+std::string followed(const std::string& path) {
+  constexpr int most_links = 40;
+  std::error_code none;
+  fs::path end = path;
+  for (int i = 0; i < most_links && fs::is_symlink(end, none); i++)
+    end = end.parent_path() / fs::read_symlink(end, none);
+  const fs::path whole = fs::weakly_canonical(fs::is_symlink(end, none) ? fs::path(path) : end, none);
+  return none ? path : whole.string();
+}
+
 }  // namespace
 
 std::string free_name(const std::string& ending) {
@@ -42,6 +53,7 @@ std::string free_name(const std::string& ending) {
 Output::Output(std::string path) : path_(std::move(path)) {
   std::error_code failed;
   fs::file_status status = fs::status(path_, failed);
+  if (failed && status.type() == fs::file_type::none) refuse(path_, failed.message());
   if (fs::is_directory(status)) refuse(path_, "it is a folder");
   if (path_.empty() || path_.back() == '/') refuse("'" + path_ + "'", "it names no file");
   if (fs::exists(status) && access(path_.c_str(), W_OK) != 0) refuse(path_, std::strerror(errno));
@@ -49,8 +61,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
     target_ = temporary_ = path_;
     return;
   }
-  target_ = fs::weakly_canonical(path_, failed);
-  if (failed) refuse(path_, failed.message());
+  target_ = followed(path_);
   int file = -1;
   for (int attempt = 0; attempt < 100 && file < 0; attempt++) {
     temporary_ = temporary_name(target_, attempt);

@@ -17,10 +17,11 @@ void Player::write_picture(const std::string& path) {
 }
 
 void Player::save_picture() {
-  const std::string path = free_name(".png");
   try {
-    write_picture(path);
-    wrote(path);
+    Output file(free_name(".png"));
+    write_picture(file.temporary());
+    file.keep();
+    wrote(file.path());
   } catch (const std::exception& error) { complain(error.what()); }
 }
 

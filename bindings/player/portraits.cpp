@@ -13,6 +13,7 @@
 #include "base/hash.hpp"
 #include "lua/scene/open.hpp"
 #include "player/aim.hpp"
+#include "player/output.hpp"
 #include "scene/interrupt.hpp"
 #include "view/picture.hpp"
 
@@ -150,7 +151,9 @@ void Portraits::draw(const std::string& path, bool keep) {
     std::error_code ignored;
     fs::create_directories(folder_, ignored);
     try {
-      write_png(file, pixels, width, height);
+      Output output(file);
+      write_png(output.temporary(), pixels, width, height);
+      output.keep();
     } catch (const Error&) {}  // it will be made again
   }
 }

@@ -1,7 +1,6 @@
 #include "view/picture.hpp"
 
 #include <stb_image_write.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -29,19 +28,13 @@ void write_png(const std::string& path, std::span<const std::uint8_t> pixels, in
   std::vector<std::uint8_t> bytes;
   require(stbi_write_png_to_func(append, &bytes, width, height, 4, pixels.data(), 4 * width) != 0, "picture '", path,
           "' could not be packed");
-  const std::string temporary = text(path, ".", ::getpid(), ".part");
-  std::FILE* file = std::fopen(temporary.c_str(), "wb");
+  std::FILE* file = std::fopen(path.c_str(), "wb");
   require(file != nullptr, "picture '", path, "' cannot be written: ", std::strerror(errno));
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int why = errno;
   const bool closed = std::fclose(file) == 0;
   if (written && !closed) why = errno;
-  if (written && closed) {
-    if (std::rename(temporary.c_str(), path.c_str()) == 0) return;
-    why = errno;
-  }
-  std::remove(temporary.c_str());
-  throw Error(text("picture '", path, "' cannot be written: ", std::strerror(why)));
+  require(written && closed, "picture '", path, "' cannot be written: ", std::strerror(why));
 }
 
 }  // namespace pantin

@@ -5,7 +5,7 @@
 
 namespace pantin {
 
-/// Writes RGBA pixels, top row first, as a PNG. The file appears whole or not at all; throws Error that names the path.
+/// Writes RGBA pixels, top row first, as a PNG. Throws Error that names the path.
 void write_png(const std::string& path, std::span<const std::uint8_t> pixels, int width, int height);
 
 }  // namespace pantin

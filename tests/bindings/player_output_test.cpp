@@ -66,6 +66,20 @@ TEST_CASE("output: a link is followed") {
   CHECK(contents(folder.path / "real.csv") == "newer");
 }
 
+TEST_CASE("output: a link to what is not there yet is followed, and one that goes round is refused") {
+  Folder folder;
+  fs::create_symlink("second.csv", folder.path / "first.csv");
+  fs::create_symlink(folder.path / "real.csv", folder.path / "second.csv");
+  Output output(folder.path / "first.csv");
+  output.write("new");
+  output.keep();
+  CHECK(fs::is_symlink(folder.path / "first.csv"));
+  CHECK(fs::is_symlink(folder.path / "second.csv"));
+  CHECK(contents(folder.path / "real.csv") == "new");
+  fs::create_symlink("round.csv", folder.path / "round.csv");
+  CHECK_THROWS_WITH(Output(folder.path / "round.csv"), Catch::Contains("round.csv: Too many levels"));
+}
+
 TEST_CASE("output: a place that cannot be written to is known before") {
   Folder folder;
   CHECK_THROWS_AS(Output(folder.path / "missing" / "a.csv"), UsageError);

@@ -67,3 +67,26 @@ TEST_CASE("outputs: names that are no UTF-8 lose nothing") {
   CHECK(folder.files() == std::vector<std::string>{"a.csv", "a.glb", "odd.lua", "s.json"});
   CHECK_THAT(read_file(folder / "a.glb"), Catch::Contains("\\\\xff") && Catch::Contains("\\\\xed\\\\xa0\\\\x80"));
 }
+
+TEST_CASE("outputs: a picture is written to a device as it is, and to what a link leads to") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  std::filesystem::create_symlink("/dev/full", folder.path / "full.png");
+  std::filesystem::create_symlink("real.png", folder.path / "link.png");
+  const std::string long_name = std::string(231, 'a') + ".png";
+  const std::vector<std::string> run = {"run", "swing.lua", "--until", "0.1", "--size", "320x240", "--out"};
+  const auto write = [&](const std::string& file) {
+    std::vector<std::string> arguments = run;
+    arguments.push_back(file);
+    return use(folder, arguments);
+  };
+  const Finished full = write("full.png");
+  CHECK(full.code == 1);
+  CHECK_THAT(full.err, Catch::Contains("full.png") && Catch::Contains("No space left on device"));
+  CHECK(std::filesystem::is_character_file(folder.path / "full.png"));
+  CHECK(write("link.png").code == 0);
+  CHECK(std::filesystem::is_symlink(folder.path / "link.png"));
+  CHECK(std::filesystem::is_regular_file(folder.path / "real.png"));
+  CHECK(write(long_name).code == 0);
+  CHECK(folder.files() == std::vector<std::string>{long_name, "full.png", "link.png", "real.png", "swing.lua"});
+}
