@@ -26,6 +26,12 @@ std::string temporary_name(const fs::path& target, int attempt) {
   return target.parent_path() / name;
 }
 
+/// Whether both are there, and are one.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code missing;
+  return fs::equivalent(a, b, missing) && !missing;
+}
+
 /// What a path leads to once links are followed, those to what is not there as well.
 std::string followed(const std::string& path) {
   constexpr int most_links = 40;
@@ -38,6 +44,10 @@ std::string followed(const std::string& path) {
 }
 
 }  // namespace
+
+void keep_apart(const std::string& written, const std::string& read) {
+  if (same_file(written, read)) refuse(written, "it is the file that is read, " + read);
+}
 
 std::string free_name(const std::string& ending) {
   char number[16];
@@ -90,6 +100,10 @@ void Output::drop() {
   if (!temporary_.empty() && temporary_ != target_) unlink(temporary_.c_str());
   temporary_.clear();
   unfinished_ = {};
+}
+
+bool Output::same_as(const Output& other) const {
+  return target_ == other.target_ || same_file(target_, other.target_);
 }
 
 void Output::write(const std::string& text_) const {

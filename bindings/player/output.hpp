@@ -8,6 +8,9 @@ namespace pantin::player {
 /// "pantin-0001" and that ending, or the first number after it of which there is no file.
 std::string free_name(const std::string& ending);
 
+/// Throws UsageError where a file that is to be written is one that is read.
+void keep_apart(const std::string& written, const std::string& read);
+
 /// A file to be written: grows under a temporary name beside its own, takes its own when it is complete, and is gone if
 /// it never is. A device or pipe is written to as it is.
 class Output {
@@ -21,6 +24,8 @@ class Output {
   Output& operator=(Output&&) = delete;
 
   const std::string& path() const { return path_; }
+  /// Whether what is written to the other is written to the same file.
+  bool same_as(const Output& other) const;
   /// Where to write to; it ends as `path` does.
   const std::string& temporary() const { return temporary_; }
   /// Writes a text as the whole of it. Throws Error.

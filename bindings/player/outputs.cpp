@@ -1,8 +1,7 @@
 #include "player/outputs.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <set>
+#include <utility>
 
 #include "player/hdf5_table.hpp"
 #include "player/summary.hpp"
@@ -10,14 +9,20 @@
 
 namespace pantin::player {
 
-Outputs::Outputs(const RunOptions& options) : rows_(options.table) {
-  std::set<std::string> seen;
-  auto add = [&](std::vector<Output>& list, const std::string& path) {
-    if (!seen.insert(std::filesystem::absolute(path).lexically_normal()).second)
-      throw UsageError(text(path, " is given as an output twice"));
+Outputs::Outputs(const RunOptions& options, const std::string& read) : rows_(options.table) {
+  const auto add = [&](std::vector<Output>& list, const std::string& path) {
+    keep_apart(path, read);
+    keep_apart(path, options.record);
     if (path.ends_with(hdf5_ending)) need_hdf5();
-    list.emplace_back(path);
+    Output output(path);
+    for (const std::vector<Output>* others : {&files_, &summary_, &state_})
+      for (const Output& other : *others)
+        if (other.same_as(output))
+          throw UsageError(other.path() == path ? text(path, " is given as an output twice")
+                                                : text(other.path(), " and ", path, " are the same file"));
+    list.push_back(std::move(output));
   };
+  if (!options.record.empty()) keep_apart(options.record, read);
   for (const std::string& path : options.outputs) add(files_, path);
   if (!options.summary.empty()) add(summary_, options.summary);
   if (!options.save_to.empty()) add(state_, options.save_to);

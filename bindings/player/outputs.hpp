@@ -16,8 +16,8 @@ namespace pantin::player {
 /// written to is known at once; without `keep`, nothing is left.
 class Outputs {
  public:
-  /// Throws UsageError.
-  explicit Outputs(const RunOptions& options);
+  /// None may be what is read: the scene's file, or a state's. Throws UsageError.
+  Outputs(const RunOptions& options, const std::string& read);
 
   /// The files of an ending (".csv").
   std::vector<std::string> temporaries(const std::string& ending) const;

@@ -15,11 +15,12 @@ namespace {
 
 int play_in_window(const RunOptions& options, const std::string& home) {
   Interrupt interrupt;
-  Outputs outputs(options);
+  const std::string scene = options.scene.empty() ? "" : find_scene(options.scene, home);
+  Outputs outputs(options, scene);
   for (const std::string& path : options.outputs)
     if (!path.ends_with(".csv") && !path.ends_with(".png"))
       throw UsageError("play writes .csv and .png; the rest is made by `pantin run SCENE --out FILE`");
-  Player player(options.scene.empty() ? "" : find_scene(options.scene, home), options, home);
+  Player player(scene, options, home);
   while (player.frame()) {}
   if (player.display_lost()) say("the display went away: the play ends here, and what was asked for is written");
   player.end_film();

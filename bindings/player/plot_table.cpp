@@ -222,6 +222,7 @@ int plot_table(const PlotOptions& options) {
     if (name != options.x && name != options.y && name != options.color && name != options.by)
       throw UsageError(text("--log ", name, ": that is no axis of this picture"));
   }
+  keep_apart(options.out, options.table);
   Output file(options.out);
   LeftOut left_out;
   file.write(options.color.empty() ? draw_lines(told, table, left_out) : draw_map(told, table, left_out));

@@ -37,6 +37,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   const Interrupt interrupt;
   const std::string scene = find_scene(options.scene, home);
   const std::string start = prefix.empty() ? scene_name(scene) + "-report" : prefix;
+  for (const char* ending : {".json", ".svg"}) keep_apart(start + ending, scene);
   Output json(start + ".json"), picture(start + ".svg");
   if (options.untrusted) {
     RunOptions writes = options;

@@ -138,7 +138,7 @@ void check_probes(const RunOptions& options, const World& world) {
 int run(const RunOptions& options, const std::string& home) {
   std::string path = options.from.empty() ? find_scene(options.scene, home) : options.from;
   Interrupt interrupt;
-  Outputs outputs(options);
+  Outputs outputs(options, path);
   auto start = std::chrono::steady_clock::now();
   if (options.untrusted) confine(reach_of(options, path, home));
   std::unique_ptr<Scene> scene = open(options, path, home);

@@ -68,6 +68,42 @@ TEST_CASE("outputs: names that are no UTF-8 lose nothing") {
   CHECK_THAT(read_file(folder / "a.glb"), Catch::Contains("\\\\xff") && Catch::Contains("\\\\xed\\\\xa0\\\\x80"));
 }
 
+TEST_CASE("outputs: what is read is not written, by no name of it, and no file twice") {
+  Folder folder;
+  const std::string scene = swing + std::string("print 'opened'");
+  write_file(folder / "in.lua", scene);
+  write_file(folder / "a.csv", "before");
+  REQUIRE(use(folder, {"run", "in.lua", "--until", "0.1", "--save-at", "0.05", "--save-to", "in.pantin"}).code == 0);
+  const std::string state = read_file(folder / "in.pantin");
+  std::filesystem::create_symlink("in.lua", folder.path / "in.csv");
+  std::filesystem::create_hard_link(folder.path / "in.lua", folder.path / "in.json");
+  std::filesystem::create_symlink("a.csv", folder.path / "b.csv");
+  std::filesystem::create_symlink("new.csv", folder.path / "c.csv");
+  const auto before = folder.files();
+  const std::vector<std::vector<std::string>> uses = {
+      {"run", "in.lua", "--summary", "in.lua"},
+      {"run", "in.lua", "--summary", "in.json"},
+      {"run", "in.lua", "--out", "in.csv"},
+      {"run", "in.lua", "--save-at", "0.05", "--save-to", "./in.lua"},
+      {"run", "--from", "in.pantin", "--until", "0.2", "--summary", "in.pantin"},
+      {"run", "in.lua", "--out", "a.csv", "--summary", "b.csv"},
+      {"run", "in.lua", "--out", "c.csv", "--summary", "new.csv"},
+      {"play", "in.lua", "--record", "in.lua", "--until", "0.1"},
+      {"sweep", "in.lua", "--set", "mass=1,2", "--out", "in.csv"},
+      {"plot", "a.csv", "--x", "time", "--y", "height", "--out", "b.csv"},
+  };
+  for (const auto& arguments : uses) {
+    const Finished done = use(folder, arguments);
+    INFO(arguments[0] << " " << arguments.back() << ": " << done.err);
+    CHECK(done.code != 0);
+    CHECK(done.out == "");
+    CHECK(folder.files() == before);
+    CHECK(read_file(folder / "in.lua") == scene);
+    CHECK(read_file(folder / "in.pantin") == state);
+    CHECK(read_file(folder / "a.csv") == "before");
+  }
+}
+
 TEST_CASE("outputs: a picture is written to a device as it is, and to what a link leads to") {
   Folder folder;
   write_file(folder / "swing.lua", swing);

@@ -175,6 +175,7 @@ int sweep(const SweepOptions& options, const std::string& home) {
   const std::string path = find_scene(options.scene, home);
   if (path.ends_with(state_ending))
     throw UsageError(text(path, " is a state, whose parameters are set already: a sweep opens a scene, a .lua"));
+  keep_apart(options.out, path);
   std::vector<Axis> axes = read_axes(options);
   if (axes.empty()) throw UsageError("a sweep needs --set NAME=VALUES or --seeds FIRST:LAST");
   if (options.out.ends_with(hdf5_ending)) need_hdf5();
