@@ -29,6 +29,7 @@
 #include "base/parallel.hpp"
 #include "lua/scene/open.hpp"
 #include "player/message.hpp"
+#include "player/output.hpp"
 #include "scene/errors.hpp"
 
 namespace fs = std::filesystem;
@@ -334,7 +335,7 @@ Reach reach_of(const RunOptions& options, const std::string& scene, const std::s
   for (const std::string& file : {options.summary, options.save_to, options.record})
     if (!file.empty()) files.push_back(file);
   for (const std::string& file : files) {
-    const fs::path target = fs::weakly_canonical(file, ignored);
+    const fs::path target = followed(file);
     const bool is_device = fs::exists(target, ignored) && !fs::is_regular_file(target, ignored);
     reach.write.push_back(is_device ? target.string() : folder_of(target));
     if (file.ends_with(".png")) add_drawing(reach);

@@ -26,24 +26,23 @@ std::string temporary_name(const fs::path& target, int attempt) {
   return target.parent_path() / name;
 }
 
-/// Whether both are there, and are one.
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code missing;
-  return fs::equivalent(a, b, missing) && !missing;
-}
+}  // namespace
 
-/// What a path leads to once links are followed, those to what is not there as well.
 std::string followed(const std::string& path) {
   constexpr int most_links = 40;
   std::error_code none;
-  fs::path end = path;
+  const fs::path start = fs::absolute(path, none);
+  fs::path end = start;
   for (int i = 0; i < most_links && fs::is_symlink(end, none); i++)
     end = end.parent_path() / fs::read_symlink(end, none);
-  const fs::path whole = fs::weakly_canonical(fs::is_symlink(end, none) ? fs::path(path) : end, none);
+  const fs::path whole = fs::weakly_canonical(fs::is_symlink(end, none) ? start : end, none);
   return none ? path : whole.string();
 }
 
-}  // namespace
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code missing;
+  return followed(a) == followed(b) || (fs::equivalent(a, b, missing) && !missing);
+}
 
 void keep_apart(const std::string& written, const std::string& read) {
   if (same_file(written, read)) refuse(written, "it is the file that is read, " + read);
@@ -100,10 +99,6 @@ void Output::drop() {
   if (!temporary_.empty() && temporary_ != target_) unlink(temporary_.c_str());
   temporary_.clear();
   unfinished_ = {};
-}
-
-bool Output::same_as(const Output& other) const {
-  return target_ == other.target_ || same_file(target_, other.target_);
 }
 
 void Output::write(const std::string& text_) const {

@@ -8,6 +8,12 @@ namespace pantin::player {
 /// "pantin-0001" and that ending, or the first number after it of which there is no file.
 std::string free_name(const std::string& ending);
 
+/// What a path leads to once links are followed, those to what is not there yet as well.
+std::string followed(const std::string& path);
+
+/// Whether two paths lead to one file, which need not be there yet.
+bool same_file(const std::string& a, const std::string& b);
+
 /// Throws UsageError where a file that is to be written is one that is read.
 void keep_apart(const std::string& written, const std::string& read);
 
@@ -24,8 +30,6 @@ class Output {
   Output& operator=(Output&&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Whether what is written to the other is written to the same file.
-  bool same_as(const Output& other) const;
   /// Where to write to; it ends as `path` does.
   const std::string& temporary() const { return temporary_; }
   /// Writes a text as the whole of it. Throws Error.

@@ -1,7 +1,6 @@
 #include "player/outputs.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "player/hdf5_table.hpp"
 #include "player/summary.hpp"
@@ -10,17 +9,18 @@
 namespace pantin::player {
 
 Outputs::Outputs(const RunOptions& options, const std::string& read) : rows_(options.table) {
+  const auto refuse_twice = [](const std::string& one, const std::string& path) {
+    if (same_file(one, path))
+      throw UsageError(one == path ? text(path, " is given as an output twice")
+                                   : text(one, " and ", path, " are the same file"));
+  };
   const auto add = [&](std::vector<Output>& list, const std::string& path) {
     keep_apart(path, read);
-    keep_apart(path, options.record);
-    if (path.ends_with(hdf5_ending)) need_hdf5();
-    Output output(path);
+    if (!options.record.empty()) refuse_twice(options.record, path);
     for (const std::vector<Output>* others : {&files_, &summary_, &state_})
-      for (const Output& other : *others)
-        if (other.same_as(output))
-          throw UsageError(other.path() == path ? text(path, " is given as an output twice")
-                                                : text(other.path(), " and ", path, " are the same file"));
-    list.push_back(std::move(output));
+      for (const Output& other : *others) refuse_twice(other.path(), path);
+    if (path.ends_with(hdf5_ending)) need_hdf5();
+    list.emplace_back(path);
   };
   if (!options.record.empty()) keep_apart(options.record, read);
   for (const std::string& path : options.outputs) add(files_, path);

@@ -119,6 +119,19 @@ TEST_CASE("confine: an untrusted scene runs as any other") {
     CHECK(support::read_file(folder / ("free" + ending)) == support::read_file(folder / ("b/held" + ending)));
 }
 
+TEST_CASE("confine: an untrusted scene writes to what a link leads to, also where that is not there yet") {
+  support::Folder folder;
+  std::filesystem::create_directory(folder.path / "out");
+  std::filesystem::create_symlink("out/table.csv", folder.path / "link.csv");
+  support::write_file(folder / "swing.lua", support::swing);
+  const support::Finished done =
+      support::use(folder, {"run", "--untrusted", "swing.lua", "--until", "0.1", "--out", "link.csv"});
+  INFO(done.err);
+  CHECK(done.code == 0);
+  CHECK(std::filesystem::is_symlink(folder.path / "link.csv"));
+  CHECK(std::filesystem::exists(folder.path / "out" / "table.csv"));
+}
+
 TEST_CASE("confine: a film is refused, since another program writes it") {
   const support::Finished done = support::use({}, {"run", "chain", "--untrusted", "--out", "film.mp4"});
   CHECK(done.code == 2);

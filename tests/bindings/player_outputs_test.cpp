@@ -89,6 +89,7 @@ TEST_CASE("outputs: what is read is not written, by no name of it, and no file t
       {"run", "in.lua", "--out", "a.csv", "--summary", "b.csv"},
       {"run", "in.lua", "--out", "c.csv", "--summary", "new.csv"},
       {"play", "in.lua", "--record", "in.lua", "--until", "0.1"},
+      {"play", "in.lua", "--record", "x", "--summary", "./x", "--until", "0.1"},
       {"sweep", "in.lua", "--set", "mass=1,2", "--out", "in.csv"},
       {"plot", "a.csv", "--x", "time", "--y", "height", "--out", "b.csv"},
   };
