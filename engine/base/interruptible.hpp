@@ -15,9 +15,10 @@ struct GivenUp : Error {
 /// Set by who waits, of this thread: true once it is given up; null: nobody ever will.
 inline thread_local const std::atomic<bool>* given_up = nullptr;
 
+inline bool is_given_up() { return given_up && *given_up; }
 /// Throws GivenUp.
 inline void stop_if_given_up() {
-  if (given_up && *given_up) throw GivenUp();
+  if (is_given_up()) throw GivenUp();
 }
 
 /// Counts the steps of a loop.
@@ -30,9 +31,11 @@ class Interruptible {
     count_ = 0;
     stop_if_given_up();
   }
+  /// Counts what is done with many bytes at once.
+  void count_bytes(std::size_t bytes) { count(1 + bytes / bytes_of_step); }
 
  private:
-  static constexpr std::size_t often = 4096;
+  static constexpr std::size_t often = 4096, bytes_of_step = 256;
   std::size_t count_ = 0;
 };
 

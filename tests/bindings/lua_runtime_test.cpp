@@ -1,3 +1,5 @@
+#include <time.h>
+
 #include <chrono>
 #include <memory>
 #include <thread>
@@ -87,6 +89,38 @@ TEST_CASE("a script that joins what never ends is stopped before its memory is f
     table.concat({ 1, 2, 3 }, "-", 2) == "2-3" and table.concat({ 1, 2, 3 }, "-", 2, 2) == "2" and
     table.concat({ [math.maxinteger] = 7 }, "-", math.maxinteger, math.maxinteger) == "7"))") == "");
   CHECK(failure("table.concat({ 1, {} })") == "scene.lua:1: invalid value (at index 2) in table for 'concat'");
+}
+
+namespace {
+
+/// [s] of this thread's processor that a scene takes until the limit of 0.1 s for its script stops it.
+double seconds_until_stopped(const std::string& source) {
+  auto hasty = options();
+  hasty.memory_limit = std::size_t{1} << 30;
+  hasty.script_limit = 0.1;
+  const auto now = [] {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const double start = now();
+  CHECK_THROWS_WITH(lua::open_scene_text(source, "scene.lua", "", hasty), Contains("did not come back within 0.1 s"));
+  return now() - start;
+}
+
+}  // namespace
+
+TEST_CASE("a script that has a library do much at once is stopped in time") {
+  const char* const calls[] = {
+      "local s, t = ('x'):rep(60 << 20), {} for i = 1, 15 do t[i] = s end while true do pcall(table.concat, t) end",
+      "local s = ('x'):rep(60 << 20) while true do pcall(string.gsub, ('a'):rep(15), 'a', s) end",
+      "local s = ('x'):rep(60 << 20) while true do pcall(string.gsub, s, '^.*$', ('%0'):rep(15)) end",
+      "local s = ('x'):rep(60 << 20) while true do pcall(string.find, s, ('('):rep(15) .. '.*' .. (')'):rep(15)) end",
+      "local t = {} for i = 1, 1e5 do t[i + 0.5] = true end while true do for i = 1, 20 do pcall(pairs, t) end end"};
+  for (const char* call : calls) {
+    INFO(call);
+    CHECK(seconds_until_stopped(call) < 0.6);
+  }
 }
 
 TEST_CASE("a script that was stopped in a callback can be stepped on") {

@@ -7,6 +7,7 @@
 #include "lua/library/sandbox.hpp"
 #include "lua/value/ref.hpp"
 #include "lua/vm/guard.hpp"
+#include "lua/vm/watchdog.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -76,20 +77,26 @@ int sorted_pairs(lua_State* state) {
   }
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_settop(state, 1);
+  Interruptible loop;
   std::vector<Key> keys;
   lua_newtable(state);
   lua_pushnil(state);
   while (lua_next(state, 1)) {
+    loop.count();
     lua_pop(state, 1);
     keys.push_back(key_at(state, 3));
     keys.back().index = static_cast<lua_Integer>(keys.size());
     lua_pushvalue(state, 3);
     lua_rawseti(state, 2, keys.back().index);
   }
-  std::sort(keys.begin(), keys.end());
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    loop.count_bytes(std::min(a.string.size(), b.string.size()));
+    return a < b;
+  });
   lua_pushvalue(state, 1);
   lua_createtable(state, static_cast<int>(keys.size()), 0);
   for (std::size_t i = 0; i < keys.size(); i++) {
+    loop.count();
     lua_rawgeti(state, 2, keys[i].index);
     lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
   }
@@ -108,11 +115,13 @@ int sorted_next(lua_State* state) {
   const Key last = first ? Key{} : key_at(state, 2);
   Key best;
   bool found = false;
+  Interruptible loop;
   lua_pushnil(state);  // 3: best key
   lua_pushnil(state);
   while (lua_next(state, 1)) {
     lua_pop(state, 1);
     const Key key = key_at(state, 4);
+    loop.count_bytes(key.string.size());
     if ((!first && !(last < key)) || (found && !(key < best))) continue;
     best = key;
     found = true;

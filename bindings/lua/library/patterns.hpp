@@ -25,6 +25,8 @@ class Matcher {
     std::size_t begin = 0;
     std::size_t length = 0;  ///< or one of the above
   };
+  /// Where steps are counted.
+  Interruptible& loop() const { return loop_; }
   /// Of the last match.
   std::size_t captures() const { return count_; }
   /// Capture i, from 0, of a match over [begin, end); without any, capture 0 is the whole.

@@ -26,11 +26,17 @@ std::size_t check_start(lua_State* state, int index, std::size_t size) {
   return i == 0 || i < -length ? 0 : static_cast<std::size_t>(length + i);
 }
 
-void push_capture(lua_State* state, std::string_view subject, const Matcher::Capture& capture) {
-  if (capture.length == Matcher::Capture::position)
+/// Pushes capture i of a match over [begin, end).
+void push_capture(lua_State* state, std::string_view subject, const Matcher& matcher, std::size_t i, std::size_t begin,
+                  std::size_t end) {
+  const Matcher::Capture capture = matcher.capture(i, begin, end);
+  if (capture.length == Matcher::Capture::position) {
+    matcher.loop().count();
     lua_pushinteger(state, static_cast<lua_Integer>(capture.begin) + 1);
-  else
+  } else {
+    matcher.loop().count_bytes(capture.length);
     lua_pushlstring(state, subject.data() + capture.begin, capture.length);
+  }
 }
 
 /// Pushes all captures, or the whole match where the pattern has none; returns how many.
@@ -38,7 +44,7 @@ int push_captures(lua_State* state, std::string_view subject, const Matcher& mat
                   std::size_t end) {
   const std::size_t count = matcher.captures() == 0 ? 1 : matcher.captures();
   luaL_checkstack(state, static_cast<int>(count), "too many captures");
-  for (std::size_t i = 0; i < count; i++) push_capture(state, subject, matcher.capture(i, begin, end));
+  for (std::size_t i = 0; i < count; i++) push_capture(state, subject, matcher, i, begin, end);
   return static_cast<int>(count);
 }
 
@@ -120,7 +126,9 @@ void add_text(lua_State* state, luaL_Buffer& buffer, std::string_view subject, c
   std::string_view form = check_string(state, replacement);
   for (;;) {
     const std::size_t percent = form.find('%');
-    luaL_addlstring(&buffer, form.data(), std::min(percent, form.size()));
+    const std::size_t plain = std::min(percent, form.size());
+    matcher.loop().count_bytes(plain);
+    luaL_addlstring(&buffer, form.data(), plain);
     if (percent == form.npos) return;
     const char c = percent + 1 < form.size() ? form[percent + 1] : '\0';
     require(c == '%' || (c >= '0' && c <= '9'), "invalid use of '%' in replacement string");
@@ -128,9 +136,10 @@ void add_text(lua_State* state, luaL_Buffer& buffer, std::string_view subject, c
     if (c == '%') {
       luaL_addchar(&buffer, '%');
     } else if (c == '0') {
+      matcher.loop().count_bytes(end - begin);
       luaL_addlstring(&buffer, subject.data() + begin, end - begin);
     } else {
-      push_capture(state, subject, matcher.capture(static_cast<std::size_t>(c - '1'), begin, end));
+      push_capture(state, subject, matcher, static_cast<std::size_t>(c - '1'), begin, end);
       luaL_addvalue(&buffer);
     }
   }
@@ -145,7 +154,7 @@ bool add_replacement(lua_State* state, luaL_Buffer& buffer, std::string_view sub
       lua_call(state, push_captures(state, subject, matcher, begin, end), 1);
       break;
     case LUA_TTABLE:
-      push_capture(state, subject, matcher.capture(0, begin, end));
+      push_capture(state, subject, matcher, 0, begin, end);
       lua_gettable(state, replacement);
       break;
     default: add_text(state, buffer, subject, matcher, begin, end); return true;
@@ -156,6 +165,7 @@ bool add_replacement(lua_State* state, luaL_Buffer& buffer, std::string_view sub
     return false;
   }
   require(lua_isstring(state, -1) != 0, "invalid replacement value (a ", luaL_typename(state, -1), ")");
+  matcher.loop().count_bytes(lua_rawlen(state, -1));
   luaL_addvalue(&buffer);
   return true;
 }
@@ -211,7 +221,7 @@ int repeat(lua_State* state) {
   std::copy(separator.begin(), separator.end(), std::copy(s.begin(), s.end(), to));
   for (std::size_t done = each; done < size;) {
     const std::size_t more = std::min({done, size - done, most});
-    loop.count(1 + more / 256);
+    loop.count_bytes(more);
     std::memcpy(to + done, to, more);
     done += more;
   }

@@ -89,9 +89,9 @@ int concat(lua_State* state) {
   luaL_Buffer buffer;
   luaL_buffinit(state, &buffer);
   for (lua_Integer i = first; i <= last; i++) {
-    loop.count();
     lua_geti(state, list, i);
     require(lua_isstring(state, -1) != 0, "invalid value (at index ", i, ") in table for 'concat'");
+    loop.count_bytes(lua_rawlen(state, -1) + length);
     luaL_addvalue(&buffer);
     if (i == last) break;  // which may be the largest number
     luaL_addlstring(&buffer, separator, length);
