@@ -1,5 +1,7 @@
 // A string: at most so long along its points and positions, slides through the inner ones; a row for each segment, whose
 // equations the solver does together.
+#include <unordered_map>
+
 #include "base/check.hpp"
 #include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
@@ -15,12 +17,14 @@ void check(const Model& model, Constraint& c) {
   const std::span<const Passage> passages = c.passages();
   require(passages.size() >= 2, "string: needs two points or more, got ", passages.size());
   double fixed = 0.0;
+  std::unordered_map<ParticleId, std::size_t> known;
   for (std::size_t i = 0; i < passages.size(); i++) {
     const Passage& p = passages[i];
     if (!p.point) internal::require_finite("string", "a position", p.position, "m");
-    for (std::size_t j = 0; j < i && p.point; j++)
-      require(!passages[j].point || model.points[passages[j].point].particle != model.points[p.point].particle,
-              "string: points ", j + 1, " and ", i + 1, " are one particle");
+    if (p.point) {
+      const auto [other, is_new] = known.try_emplace(model.points[p.point].particle, i);
+      require(is_new, "string: points ", other->second + 1, " and ", i + 1, " are one particle");
+    }
     if (i > 0 && !p.point && !passages[i - 1].point) fixed += norm(p.position - passages[i - 1].position);
   }
   require(static_cast<bool>(c.a), "string: it goes through positions only; one must be a point or a particle");

@@ -12,8 +12,7 @@ void remove(World& world, BodyId id) {
   mark_edited(world, id);
   post(world, Source::removal, -energy_of(world, id));
   const std::vector<PointId> points = world.bodies[id].points;
-  std::vector<std::string> names;
-  for (PointId p : points) names.push_back(describe(world, p));
+  const std::vector<std::string> names = describe_points(world, id);
   for (std::size_t i = 0; i < points.size(); i++) erase_point(world, points[i], names[i]);
   const std::vector<ConstraintId> constraints = world.bodies[id].constraints;
   for (ConstraintId c : constraints) remove(world, c);

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "base/interruptible.hpp"
 #include "base/random.hpp"
 #include "contacts/find.hpp"
 #include "edit/assemble.hpp"
@@ -40,8 +41,9 @@ std::vector<PointId> rest_of(const World& world, BodyId body, std::span<const Po
   std::unordered_set<PointId> taken;
   for (std::size_t i = 0; i < points.size(); i++) {
     require(world.points.alive(points[i]), "split: point ", i + 1, ": ", world.points.story(points[i]));
-    require(world.points[points[i]].body == body, "split: ", describe(world, points[i]), " is not of ", who);
-    require(taken.insert(points[i]).second, "split: ", describe(world, points[i]), " is given twice");
+    if (world.points[points[i]].body != body)
+      throw Error(text("split: ", describe(world, points[i]), " is not of ", who));
+    if (!taken.insert(points[i]).second) throw Error(text("split: ", describe(world, points[i]), " is given twice"));
   }
   std::vector<PointId> rest;
   for (PointId p : world.bodies[body].points)
@@ -280,12 +282,14 @@ std::vector<BodyId> shatter(World& world, BodyId body, const ShatterDef& def) {
       parts.push_back({text("piece ", parts.size() + 1), {}, {piece_of(shape.id, *cell, shape.denser)}});
       poses.push_back(shape.pose);
     }
+  Interruptible loop;
   for (PointId p : world.bodies[body].points) {
     std::pair<double, std::size_t> nearest{infinity, 0};
     for (std::size_t i = 0; i < parts.size(); i++) {
       const PartShape& shape = parts[i].shapes[0];
       const Vec3 at = world.plane.beside(position(world, p), poses[i].x);
       const auto& hull = std::get<std::shared_ptr<const Hull>>(*shape.piece);
+      loop.count(hull->faces.size());
       nearest = std::min(nearest, {outside(*hull, poses[i].to_local(at) - shape.at), i});
     }
     parts[nearest.second].points.push_back(p);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/interruptible.hpp"
 #include "base/near_positions.hpp"
 
 namespace pantin {
@@ -35,12 +34,10 @@ void each_near_pair(std::span<const Vec3> positions, const Box& box, double dist
   for (Vec3 position : positions) wrapped.push_back(box.wrapped(position));
   const NearPositions grid(wrapped, distance);
   std::vector<std::uint32_t> near;
-  Interruptible loop;
   for (std::uint32_t a = 0; a < wrapped.size(); a++) {
     near.clear();
     each_image(wrapped[a], box, distance, [&](Vec3 image) {
       grid.each(image, [&](std::uint32_t b) {
-        loop.count();
         if (b > a) near.push_back(b);
       });
     });

@@ -253,14 +253,26 @@ void disturb(Model& m, PointId point) {
   p.body ? disturb(m, p.body) : disturb(m, p.articulate);
 }
 
+namespace {
+/// Point `i` of a body, from 0.
+std::string describe_point(const Model& m, const Point& p, std::size_t i) {
+  const std::string body = describe(m, p.body);
+  return p.name.empty() ? text("point ", i + 1, " of ", body) : text("point '", p.name, "' of ", body);
+}
+}  // namespace
+
 std::string describe(const Model& m, PointId id) {
   if (!m.points.alive(id)) return m.points.story(id);
   const Point& p = m.points[id];
   if (!p.body) return called("particle", m.particles[p.own]);
-  if (!p.name.empty()) return text("point '", p.name, "' of ", describe(m, p.body));
   const auto& all = m.bodies[p.body].points;
-  const auto position = std::find(all.begin(), all.end(), id) - all.begin();
-  return text("point ", position + 1, " of ", describe(m, p.body));
+  return describe_point(m, p, static_cast<std::size_t>(std::find(all.begin(), all.end(), id) - all.begin()));
+}
+
+std::vector<std::string> describe_points(const Model& m, BodyId body) {
+  std::vector<std::string> names;
+  for (PointId p : m.bodies[body].points) names.push_back(describe_point(m, m.points[p], names.size()));
+  return names;
 }
 
 std::string describe(const Model& m, ParticleId id) {

@@ -130,6 +130,7 @@ void disturb(Model& m, PointId point);
 
 /// "body 'arm'", "hinge 'elbow'", "particle 7" …: how messages call a thing.
 std::string describe(const Model& m, PointId id);
+std::vector<std::string> describe_points(const Model& m, BodyId body);  ///< all of one that is alive, in their order
 std::string describe(const Model& m, ParticleId id);
 std::string describe(const Model& m, BodyId id);
 std::string describe(const Model& m, ConstraintId id);

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/functions.hpp"
+#include "base/interruptible.hpp"
 
 namespace pantin {
 
@@ -80,7 +81,9 @@ HullPtr behind(const HullPtr& hull, Vec3 normal, double offset) {
   }
   try {
     return make_hull(corners);
-  } catch (const Error&) { return nullptr; }
+  } catch (const GivenUp&) { throw; } catch (const Error&) {
+    return nullptr;
+  }
 }
 
 namespace {

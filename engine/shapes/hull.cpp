@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 
 namespace pantin {
 
@@ -21,12 +22,14 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// qhull's state, freed at the end; its messages go nowhere.
+/// qhull's state, freed at the end. Its messages go nowhere; one after every 20 facets asks whether anybody waits.
 class Qhull {
  public:
-  explicit Qhull(std::vector<double>& coordinates) : silent_(std::fopen("/dev/null", "w")) {
+  explicit Qhull(std::vector<double>& coordinates)
+      : silent_(fopencookie(this, "w", {nullptr, listen, nullptr, nullptr})) {
+    std::setvbuf(silent_.get(), nullptr, _IONBF, 0);
     qh_zero(&state_, silent_.get());
-    char command[] = "qhull";
+    char command[] = "qhull TF20";
     failed_ = qh_new_qhull(&state_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, command,
                            silent_.get(), silent_.get()) != 0;
   }
@@ -56,6 +59,11 @@ class Qhull {
   }
 
  private:
+  static ssize_t listen(void* self, const char*, std::size_t size) {
+    if (is_given_up()) static_cast<Qhull*>(self)->state_.STOPadd = 1;
+    return static_cast<ssize_t>(size);
+  }
+
   std::unique_ptr<std::FILE, CloseFile> silent_;
   qhT state_;
   bool failed_ = false;
@@ -224,6 +232,7 @@ std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points) {
   std::vector<double> coordinates;
   for (const Vec3 p : points) coordinates.insert(coordinates.end(), {p[0], p[1], p[2]});
   Qhull qhull(coordinates);
+  stop_if_given_up();
   const auto flat =
       "A hull's points lie in a plane as good as: their volume must be 1e-12 of the cube of their extent, ";
   require(!qhull.failed(), flat, extent, " m, or more.");

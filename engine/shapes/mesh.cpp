@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 #include "shapes/mesh_tree.hpp"
 
 namespace pantin {
@@ -30,8 +31,11 @@ Bounds bounds_of_triangle(const TriangleMesh& mesh, std::uint32_t index) {
 std::vector<std::uint32_t> first_at_place(const std::vector<Vec3>& vertices) {
   std::map<std::array<double, 3>, std::uint32_t> places;
   std::vector<std::uint32_t> first;
-  for (std::uint32_t i = 0; i < vertices.size(); i++)
+  Interruptible loop;
+  for (std::uint32_t i = 0; i < vertices.size(); i++) {
+    loop.count();
     first.push_back(places.try_emplace({vertices[i][0], vertices[i][1], vertices[i][2]}, i).first->second);
+  }
   return first;
 }
 
@@ -57,10 +61,12 @@ void set_neighbours(TriangleMesh& mesh) {
   const auto edge = [&](const Triangle& triangle, std::size_t side) {
     return std::pair{place[triangle.corner[side]], place[triangle.corner[(side + 1) % 3]]};
   };
-  for (std::size_t i = 0; i < mesh.triangles.size(); i++)
+  Interruptible loop;
+  for (std::size_t i = 0; i < mesh.triangles.size(); loop.count(), i++)
     for (std::size_t side = 0; side < 3; side++)
       edges[edge(mesh.triangles[i], side)].push_back(static_cast<std::int32_t>(i));
-  for (Triangle& triangle : mesh.triangles)
+  for (Triangle& triangle : mesh.triangles) {
+    loop.count();
     for (std::size_t side = 0; side < 3; side++) {
       const auto [from, to] = edge(triangle, side);
       const auto other = edges.find({to, from});
@@ -73,11 +79,13 @@ void set_neighbours(TriangleMesh& mesh) {
       const Vec3 away = apex - mesh.vertices[triangle.corner[side]];
       triangle.convex[side] = dot(triangle.normal, away) < -1e-12 * norm(away);
     }
+  }
 }
 
 /// Halves the triangles at the middle of their centres along the longest extent, until few are left.
 void split(TriangleMesh& mesh, const std::vector<Bounds>& bounds, std::uint32_t branch, std::uint32_t first,
-           std::uint32_t count) {
+           std::uint32_t count, Interruptible& loop) {
+  loop.count(count);
   Bounds all, centres;
   const auto centre = [&](std::uint32_t i) { return (bounds[i].low + bounds[i].high) * 0.5; };
   for (std::uint32_t i = first; i < first + count; i++) {
@@ -98,8 +106,8 @@ void split(TriangleMesh& mesh, const std::vector<Bounds>& bounds, std::uint32_t 
   mesh.tree[branch].first = low;
   mesh.tree[branch].count = 0;
   mesh.tree.resize(mesh.tree.size() + 2);
-  split(mesh, bounds, low, first, half);
-  split(mesh, bounds, low + 1, first + half, count - half);
+  split(mesh, bounds, low, first, half, loop);
+  split(mesh, bounds, low + 1, first + half, count - half, loop);
 }
 
 void set_tree(TriangleMesh& mesh) {
@@ -109,7 +117,8 @@ void set_tree(TriangleMesh& mesh) {
     mesh.order.push_back(i);
   }
   mesh.tree.resize(1);
-  split(mesh, bounds, 0, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
+  Interruptible loop;
+  split(mesh, bounds, 0, 0, static_cast<std::uint32_t>(mesh.triangles.size()), loop);
   mesh.bounds = mesh.tree[0].bounds;
 }
 

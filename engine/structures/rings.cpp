@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/interruptible.hpp"
+
 namespace pantin {
 namespace {
 
@@ -27,6 +29,7 @@ class RingSearch {
     for (std::size_t next = 1; next < met.size() && !depth_[c]; next++) {
       const std::uint32_t v = met[next];
       if (depth_[v] >= longest) break;
+      loop_.count(neighbours_[v].size());
       for (std::uint32_t w : neighbours_[v]) {
         if (depth_[w]) continue;
         depth_[w] = depth_[v] + 1;
@@ -48,6 +51,7 @@ class RingSearch {
   std::vector<std::vector<std::uint32_t>> neighbours_;
   std::vector<std::uint32_t> depth_;  // in the ring, from 1; 0: not met
   std::vector<std::uint32_t> from_;
+  Interruptible loop_;
 };
 
 /// The lowest number first, the lower of its neighbours next.

@@ -101,7 +101,9 @@ Structure make_structure(std::vector<Vec3> vertices, const std::vector<Structure
     require(finite(vertices[i]), "structure: vertex ", i + 1, " must be finite, got (", vertices[i][0], ", ",
             vertices[i][1], ", ", vertices[i][2], ") m");
   std::set<StructureEdge> known;
+  Interruptible loop;
   for (std::size_t i = 0; i < edges.size(); i++) {
+    loop.count();
     const StructureEdge edge = edge_between(edges[i][0], edges[i][1]);
     require(edge[1] < vertices.size(), "structure: edge ", i + 1, " has a vertex ", edge[1] + 1, ", but there are ",
             vertices.size());
@@ -112,6 +114,7 @@ Structure make_structure(std::vector<Vec3> vertices, const std::vector<Structure
   }
   for (std::size_t i = 0; i < faces.size(); i++) {
     check_face(faces[i], i + 1, vertices.size());
+    loop.count(faces[i].size());
     for (std::size_t k = 0; k < faces[i].size(); k++) {
       const StructureEdge edge = edge_between(faces[i][k], faces[i][(k + 1) % faces[i].size()]);
       if (known.insert(edge).second) s.edges.push_back(edge);
@@ -154,19 +157,22 @@ Structure joined(const Structure& a, const Structure& b, double tolerance) {
   const bool molecule = !a.elements.empty() && !b.elements.empty();
   if (!molecule) s.elements.clear();
   for (std::uint32_t i = 0; i < b.vertices.size(); i++) {
-    now[i] = static_cast<std::uint32_t>(s.vertices.size());
-    positions.each(b.vertices[i], [&](std::uint32_t known) { now[i] = std::min(now[i], known); });
-    if (now[i] < s.vertices.size()) continue;
+    const auto known = positions.lowest(b.vertices[i]);
+    now[i] = known.value_or(static_cast<std::uint32_t>(s.vertices.size()));
+    if (known) continue;
     s.vertices.push_back(b.vertices[i]);
     if (molecule) s.elements.push_back(b.elements[i]);
   }
   std::set<StructureEdge> edges(a.edges.begin(), a.edges.end());
+  Interruptible loop;
   for (const StructureEdge& e : b.edges) {
+    loop.count();
     const StructureEdge edge = edge_between(now[e[0]], now[e[1]]);
     if (edge[0] != edge[1] && edges.insert(edge).second) s.edges.push_back(edge);
   }
   std::set<StructureFace> faces;
   const auto is_new = [&](StructureFace face) {
+    loop.count(face.size());
     std::sort(face.begin(), face.end());
     return std::adjacent_find(face.begin(), face.end()) == face.end() && faces.insert(face).second;
   };

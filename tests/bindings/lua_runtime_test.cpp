@@ -123,6 +123,36 @@ TEST_CASE("a script that has a library do much at once is stopped in time") {
   }
 }
 
+TEST_CASE("a script that has the engine do much at once is stopped in time") {
+  const std::string corners =
+      "local p = {} for i = 1, 1000 do local y = 1 - (2 * i - 1) / 1000 local r, a = math.sqrt(1 - y * y), 2.4 * i\n"
+      "p[i] = vec(r * math.cos(a), y, r * math.sin(a)) end\n";
+  const std::string calls[] = {
+      corners + "scene:shatter(scene:body { shape = shape.hull(p) }, { pieces = 300 })",
+      "local p = {} for i = 1, 9000 do local a = i / 4500 * math.pi p[i] = vec(math.cos(a), math.sin(a), 0) end\n"
+      "shape.polygon(p, 0.1)",
+      "local s = structure.sheet { columns = 300, rows = 300 } while true do shape.mesh(s) end"};
+  for (const std::string& call : calls) {
+    INFO(call);
+    CHECK(seconds_until_stopped(call) < 0.6);
+  }
+}
+
+TEST_CASE("a script may join, tie and remove much at once") {
+  auto patient = options();
+  patient.memory_limit = std::size_t{1} << 30;
+  patient.script_limit = 1.0;
+  const char* const calls[] = {
+      "local p = {} for i = 1, 20000 do p[i] = vec(i * 1e-9, 0, 0) end local s = structure.new { vertices = p }\n"
+      "assert(#s:join(s, 1).vertices == 20000)",
+      "local p = {} for i = 1, 20000 do p[i] = scene:particle { mass = 1, at = vec(i * 1e-3, 0, 0) } end\n"
+      "scene:string(p)",
+      "scene:build(structure.geodesic { divisions = 7 }, { as = 'rigid', mass = 1 }).bodies[1]:remove()"};
+  for (const char* call : calls) CHECK_NOTHROW(lua::open_scene_text(call, "scene.lua", "", patient));
+  CHECK(failure("local p, q = scene:particle {}, scene:particle { at = vec(1, 0, 0) } scene:string { p, q, p }") ==
+        "scene.lua:1: string: points 1 and 3 are one particle");
+}
+
 TEST_CASE("a script that was stopped in a callback can be stepped on") {
   const auto scene = open(
       "local bad = true scene:on('step', function() while bad do end end) "

@@ -39,7 +39,10 @@ int guarded(lua_State* state, lua_CFunction function) {
     message = runtime.stale_message = placed(state, error.what());
   } catch (const GivenUp&) { message = why_stopped(state); } catch (const std::bad_alloc&) {
     message = placed(state, "the computer has no memory left for this");
-  } catch (const std::exception& error) { message = placed(state, error.what()); }
+  } catch (const std::exception& error) {
+    message =
+        runtime.watch().over ? why_stopped(state) : placed(state, error.what());  // also of what became of GivenUp
+  }
   lua_pushlstring(state, message.data(), message.size());
   return lua_error(state);
 }
