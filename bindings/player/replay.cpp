@@ -35,7 +35,7 @@ Replay::Replay(Recording recording, const RunOptions& options, const std::string
     if (const auto* restored = std::get_if<StateRestored>(&act.what)) needed_.insert(restored->number);
   options_.changing = true;
   options_.save = [](const std::string&, const std::string&) {};  // it was written when it was recorded
-  options_.read = [this](const std::string& path) -> std::optional<std::string> {
+  options_.read = [this](const std::string& path, std::size_t) -> std::optional<std::string> {
     const auto found = contents_->find(std::filesystem::path(path).lexically_normal());
     if (found == contents_->end()) return {};
     return found->second;

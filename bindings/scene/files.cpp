@@ -1,18 +1,41 @@
 #include "scene/files.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+
+#include "base/interruptible.hpp"
 
 namespace pantin {
 
-std::optional<std::string> file_content(const std::string& path) {
+namespace {
+/// To two decimals.
+double mebibytes(std::size_t bytes) { return std::round(100.0 * static_cast<double>(bytes) / (1 << 20)) / 100.0; }
+}  // namespace
+
+FileTooLarge::FileTooLarge(const std::string& path, std::size_t bytes, std::size_t largest)
+    : Error(text("'", path, "' has ", mebibytes(bytes), " MiB; at most ", mebibytes(largest), " are read")) {}
+
+std::optional<std::string> file_content(const std::string& path, std::size_t largest) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};
-  return std::string{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t size = std::filesystem::file_size(path, error);
+  if (error) return {};
+  if (size > largest) throw FileTooLarge(path, size, largest);
+  std::string content;
+  content.reserve(size);
+  std::array<char, 65536> block;
+  do {
+    stop_if_given_up();
+    file.read(block.data(), block.size());
+    content.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (content.size() > largest) throw FileTooLarge(path, content.size(), largest);  // it grows, or tells no size
+  } while (file);
+  return content;
 }
 
 bool holds_other(const std::string& path, const std::string& content) {

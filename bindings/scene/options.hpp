@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "scene/files.hpp"
+
 namespace pantin {
 
 /// Of a parameter or a result.
@@ -29,9 +31,8 @@ struct SceneOptions {
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of the script's memory
   int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
   std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
-  /// The content of a file, or nothing where there is none; may be empty: from the disk.
-  std::function<std::optional<std::string>(const std::string& path)> read;
-  std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
+  FileReader read;                                  ///< of all files; may be empty: from the disk
+  std::function<void(const FileRead&)> on_read;     ///< told each file that is read, even where the scene fails then
   /// Writes a state that the script saves under a name; empty: scripts may not. Throws Error.
   std::function<void(const std::string& name, const std::string& state)> save;
   std::shared_ptr<SavedValues> saved;  ///< `scene.saved`; null: kept in memory as long as the scene

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 
 namespace pantin {
 namespace {
@@ -37,8 +38,10 @@ bool read_number(std::string_view word, Number& number) {
 /// Positions of all vertices [m]. Throws Error where a number is none: the library would read it as 0.
 std::vector<Vec3> check_numbers(std::string_view text, const std::string& name) {
   std::vector<Vec3> vertices;
+  Interruptible loop;
   for (std::size_t number = 1; !text.empty(); number++) {
     const auto end = std::min(text.find('\n'), text.size());
+    loop.count_bytes(end);
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.starts_with("v ") || line.starts_with("v\t")) {
@@ -79,9 +82,11 @@ Structure read_mesh_file(const std::string& text_of_file, const std::string& nam
   std::vector<StructureFace> faces;
   std::vector<Vec3> vertices;
   std::map<int, std::uint32_t> used;
+  Interruptible loop;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     std::size_t at = 0;
     for (const auto corners : shape.mesh.num_face_vertices) {
+      loop.count(corners);
       StructureFace face;
       for (std::size_t i = 0; i < corners; i++) {
         const int v = shape.mesh.indices[at + i].vertex_index;

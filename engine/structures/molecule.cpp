@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 #include "base/near_positions.hpp"
 #include "structures/molecule_gemmi.hpp"
 #include "structures/rings.hpp"
@@ -40,6 +41,8 @@ class Lines {
     if (line.ends_with('\r')) line.remove_suffix(1);
     rest_.remove_prefix(end == rest_.npos ? rest_.size() : end + 1);
     number_++;
+    loop_.count_bytes(line.size());
+    if (line.size() > longest) fail("the line has ", line.size(), " bytes; at most ", longest, " are read");
     return true;
   }
   std::string_view need(const char* what) {
@@ -53,9 +56,12 @@ class Lines {
   }
 
  private:
+  static constexpr std::size_t longest = std::size_t{1} << 20;  // [bytes]
+
   std::string_view rest_;
   const std::string& name_;
   std::size_t number_ = 0;
+  Interruptible loop_;
 };
 
 std::string_view trimmed(std::string_view s) {

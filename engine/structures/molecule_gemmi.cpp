@@ -1,5 +1,6 @@
 #include "structures/molecule_gemmi.hpp"
 
+#include <algorithm>
 #include <gemmi/chemcomp_xyz.hpp>
 #include <gemmi/cif.hpp>
 #include <gemmi/elem.hpp>
@@ -9,6 +10,7 @@
 #include <unordered_set>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 
 namespace pantin {
 namespace {
@@ -17,13 +19,38 @@ ChemicalElement data_of(const gemmi::Element& element) {
   return {element.name(), element.weight(), static_cast<double>(element.covalent_r())};
 }
 
+/// Lines for the reader of .pdb files.
+struct CountedLines : gemmi::MemoryStream {
+  using MemoryStream::MemoryStream;
+  char* gets(char* line, int size) {
+    loop.count();
+    return MemoryStream::gets(line, size);
+  }
+  Interruptible loop;
+};
+
+/// Blocks of a text for the reader of .cif files.
+struct CountedBlocks {
+  std::size_t operator()(char* buffer, std::size_t most) {
+    const std::size_t size = std::min(most, rest.size());
+    loop.count_bytes(size);
+    std::copy_n(rest.data(), size, buffer);
+    rest.remove_prefix(size);
+    return size;
+  }
+  std::string_view rest;
+  Interruptible loop{};
+};
+
 MoleculeAtoms atoms_of(const gemmi::Structure& structure) {
   MoleculeAtoms out;
+  Interruptible loop;
   if (structure.models.empty()) return out;
   for (const gemmi::Chain& chain : structure.models[0].chains)
     for (const gemmi::Residue& residue : chain.residues) {
       std::unordered_set<std::string_view> known;
       for (const gemmi::Atom& atom : residue.atoms) {
+        loop.count();
         const bool first = known.insert(atom.name).second;
         if (!first && atom.altloc != '\0') continue;
         const Vec3 position = vec(atom.pos.x, atom.pos.y, atom.pos.z);
@@ -52,11 +79,12 @@ std::optional<ChemicalElement> find_element(int number) {
 }
 
 MoleculeAtoms read_pdb_atoms(std::string_view text, const std::string& name) {
-  return atoms_of(gemmi::read_pdb_from_memory(text.data(), text.size(), name));
+  return atoms_of(gemmi::pdb_impl::read_pdb_from_stream(CountedLines(text.data(), text.size()), name, {}));
 }
 
 MoleculeAtoms read_cif_atoms(std::string_view text, const std::string& name) {
-  gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), name.c_str());
+  tao::pegtl::buffer_input<CountedBlocks> input(name, text.size() + 1, CountedBlocks{text});
+  gemmi::cif::Document document = gemmi::cif::read_input(input);
   require(!document.blocks.empty(), "holds no block of data");
   gemmi::cif::Block& block = document.blocks[0];
   if (!block.find_values("_chem_comp_atom.atom_id").item()) return atoms_of(gemmi::make_structure_from_block(block));

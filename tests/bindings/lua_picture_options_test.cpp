@@ -85,7 +85,7 @@ TEST_CASE("picture options: what cannot be read is told with its file, and what 
              Contains("scene.lua:1: box: sprite: 'damaged.png' is damaged"));
   CHECK_THAT(told("'wide.png'"), Contains("'wide.png' has 5000 x 128 pixels; at most 4096 x 4096 are read"));
   CHECK_THAT(told("'none.png'"), Contains("'none.png' has 0 x 128 pixels"));
-  CHECK_THAT(told("'huge.png'"), Contains("at most 16 are read"));
+  CHECK_THAT(told("'huge.png'"), Contains("at most 4 are read, a quarter of --memory-limit"));
   CHECK_THAT(told("'link.png'"), Contains("'link.png' leads out of its folder"));
   CHECK_THAT(told("'../a.png'"), Contains("must be a file below the scene's folder or assets/pictures"));
   CHECK_THAT(told("'gone.png'"), Contains("there is no file") && Contains("gone.png"));

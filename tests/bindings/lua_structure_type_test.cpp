@@ -126,11 +126,12 @@ TEST_CASE("molecule files of the scene's folder come first; bad ones are told wi
   std::ofstream(folder / "empty.pdb") << "";
   std::ofstream(folder / "huge.xyz") << "";
   fs::resize_file(folder / "huge.xyz", std::uintmax_t{257} << 20);
+  SceneOptions roomy = options();
+  roomy.memory_limit = std::size_t{2} << 30;
   const auto read = [&](const std::string& name) {
     try {
-      const auto scene =
-          lua::open_scene_text("local m = structure.molecule '" + name + "'\nscene:result('x', #m.vertices)",
-                               "scene.lua", folder, options());
+      const auto scene = lua::open_scene_text(
+          "local m = structure.molecule '" + name + "'\nscene:result('x', #m.vertices)", "scene.lua", folder, roomy);
       return to_text(std::get<double>(scene->results().at("x")));
     } catch (const Error& error) { return std::string(error.what()); }
   };

@@ -1,6 +1,7 @@
 // What a run leaves that an error stops.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "bindings/program_support.hpp"
@@ -110,6 +111,20 @@ scene:connect_within(group, 1, force.spring { stiffness = 1, length = 1 })
   const Finished large = use(folder, {"run", "dense.lua", "--script-limit", "60", "--memory-limit", "100MiB"});
   CHECK(large.code == 1);
   CHECK_THAT(large.err, Contains("the scene takes more memory than it may (--memory-limit)"));
+}
+
+TEST_CASE("program: files that a script reads stay within its memory") {
+  Folder folder;
+  for (const char* big : {"big.csv", "big.lua"}) {
+    write_file(folder / big, "");
+    std::filesystem::resize_file(folder / big, std::uintmax_t{1500} << 20);
+  }
+  for (const char* line : {"read_table 'big.csv'", "require 'big'"}) {
+    write_file(folder / "reads.lua", line);
+    CHECK_THAT(use(folder, {"run", "reads.lua", "--memory-limit", "10MiB"}).err,
+               Contains("has 1500 MiB; at most 2.5 are read, a quarter of --memory-limit"));
+  }
+  CHECK_THAT(use(folder, {"run", "big.lua"}).err, Contains("has 1500 MiB; at most 16 are read"));
 }
 
 TEST_CASE("program: a run's table has a row at each event that a probe counts") {

@@ -115,6 +115,8 @@ TEST_CASE("bad molecule files are told with their line") {
   CHECK(failure_of("1\n\nQq 0 0 0\n", "a.xyz") == "a.xyz:3: must name a chemical element, got 'Qq'");
   CHECK(failure_of("1\n\nC 0 0\n", "a.xyz") == "a.xyz:3: must be an element and three coordinates [Å]");
   CHECK(failure_of(water_pdb, "a.xyz").starts_with("a.xyz:1: must be the number of atoms, got 'HETATM"));
+  CHECK(failure_of("1\n" + std::string(std::size_t{2} << 20, ' ') + "\nC 0 0 0\n", "a.xyz") ==
+        "a.xyz:2: the line has 2097152 bytes; at most 1048576 are read");
   CHECK_THAT(failure_of("99999999999\n\n", "a.xyz"), StartsWith("a.xyz:1: at most 4000000 atoms are read"));
   CHECK_THAT(failure_of("2\n\nC 0 0 0\nC 0 0 0\n", "a.xyz"), Contains("atoms 1 and 2 are only 0 Å apart"));
   CHECK_THAT(failure_of("\x89PNG\r\n\x1a\n\0\0", "a.xyz"), StartsWith("a.xyz:1: must be the number of atoms"));

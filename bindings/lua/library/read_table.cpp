@@ -1,4 +1,5 @@
 // `read_table "file.csv"`: numbers from the scene's folder.
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 #include <vector>
@@ -81,16 +82,20 @@ int read_table(lua_State* state) {
           "' must be a file below the scene's folder, not an absolute path or one with ..");
   const std::string path = path_in(Runtime::of(state).folder, name);
   require(lies_below(path, Runtime::of(state).folder), "read_table: '", name, "' leads out of the scene's folder");
-  const auto content = Runtime::of(state).read(path);
-  require(content.has_value(), "read_table: there is no file '", path, "'");
+  const std::string* content = Runtime::of(state).read(path, largest_file);
+  require(content != nullptr, "read_table: there is no file '", path, "'");
   lua_newtable(state);
   Csv csv{state, name, {}};
   std::string_view rest = *content;
   if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
+  Interruptible loop;
   for (std::size_t line = 1; !rest.empty(); line++) {
-    const auto end = rest.find('\n');
+    const auto end = std::min(rest.find('\n'), rest.size());
+    loop.count_bytes(end);
+    require(end <= longest_line, "read_table: ", name, ":", line, ": the line has ", end, " bytes; at most ",
+            longest_line, " are read");
     csv.add_line(trimmed(rest.substr(0, end)), line);
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return 1;
 }

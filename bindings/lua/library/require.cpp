@@ -32,7 +32,7 @@ int require_file(lua_State* state) {
     }
     lua_pop(state, 1);
     require(lies_below(file, folder), "require: '", file, "' leads out of its folder");
-    const auto source = runtime.read(file);
+    const std::string* source = runtime.read(file, largest_source);
     places += (places.empty() ? "" : ", ") + file;
     if (!source) continue;
     lua_pushlightuserdata(state, const_cast<char*>(&loading));

@@ -14,7 +14,7 @@
 namespace pantin::lua {
 
 std::unique_ptr<Scene> open_scene(const std::string& path, const SceneOptions& options) {
-  const auto source = options.read ? options.read(path) : file_content(path);
+  const auto source = (options.read ? options.read : file_content)(path, largest_source);
   if (!source) {
     std::error_code error;
     const bool there = std::filesystem::exists(path, error);

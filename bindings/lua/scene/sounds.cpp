@@ -54,7 +54,8 @@ std::string check_sound(lua_State* state, int index, const char* call, const cha
   const std::string path = path_in(runtime.folder, sound);
   require(stays_inside(sound) && lies_below(path, runtime.folder), call, ": '", sound,
           "' must be a file below the scene's folder");
-  if (!runtime.files.contains(path)) require(runtime.read(path).has_value(), call, ": there is no file '", path, "'");
+  if (!runtime.files.contains(path))
+    require(runtime.read(path, largest_file) != nullptr, call, ": there is no file '", path, "'");
   return path;
 }
 

@@ -205,11 +205,11 @@ void read_all(lua_State* state, Script& script, Reader& from) {
 
 /// Files that the state has, then others.
 void read_kept_files_first(Script& script) {
-  script.runtime.reader = [files = script.runtime.files,
-                           other = script.runtime.reader](const std::string& path) -> std::optional<std::string> {
+  script.runtime.reader = [files = script.runtime.files, other = script.runtime.reader](
+                              const std::string& path, std::size_t largest) -> std::optional<std::string> {
     const auto kept = files.find(path);
     if (kept != files.end()) return kept->second;
-    return other(path);
+    return other(path, largest);
   };
 }
 

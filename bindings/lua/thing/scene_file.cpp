@@ -1,7 +1,5 @@
 #include "lua/thing/scene_file.hpp"
 
-#include <filesystem>
-
 #include "base/check.hpp"
 #include "lua/vm/runtime.hpp"
 #include "scene/files.hpp"
@@ -18,11 +16,7 @@ std::string read_scene_file(lua_State* state, const std::string& call, const cha
   for (std::size_t i = 0; i < std::size(places); i++) {
     const std::string& path = places[i];
     require(lies_below(path, folders[i]), call, ": '", name, "' leads out of its folder");
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    require(error || size <= largest, call, ": '", path, "' has ", size >> 20, " MiB; at most ", largest >> 20,
-            " are read");
-    if (const auto content = runtime.read(path)) return *content;
+    if (const std::string* content = runtime.read(path, largest)) return *content;
   }
   throw Error(text(call, ": there is no file '", places[0], "' or '", places[1], "'"));
 }

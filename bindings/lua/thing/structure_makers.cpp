@@ -17,8 +17,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr double most_parts = 1e5;                            // of a side, a row or the like
-constexpr std::size_t largest_file = std::size_t{256} << 20;  // bytes
+constexpr double most_parts = 1e5;  // of a side, a row or the like
 
 int push_made(lua_State* state, Structure structure) {
   push_structure(state, script_of(state), std::move(structure));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "scene/interrupt.hpp"
 
@@ -148,21 +149,46 @@ void Runtime::load(lua_State* state, const std::string& source, const std::strin
   chunks.push_back(chunk);
 }
 
+namespace {
+/// A block of a text (std::string_view) for Lua's parser. Raises an error where the script has to end.
+const char* next_block(lua_State* state, void* text, std::size_t* size) {
+  if (Runtime::of(state).watch().over) {
+    const std::string message = why_stopped(state);
+    lua_pushlstring(state, message.data(), message.size());
+    lua_error(state);
+  }
+  auto& rest = *static_cast<std::string_view*>(text);
+  const std::string_view block = rest.substr(0, 65536);
+  rest.remove_prefix(block.size());
+  *size = block.size();
+  return block.data();
+}
+}  // namespace
+
 void load_text(lua_State* state, const SourceText& chunk) {
   const std::string& source = chunk.source;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
-  const int status =
-      luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, ("@" + chunk.name).c_str(), "t");
-  if (status == LUA_ERRRUN) lua_pushfstring(state, "%s: %s", chunk.name.c_str(), lua_tostring(state, -1));
+  std::string_view rest = std::string_view(source).substr(skipped);
+  const int status = lua_load(state, next_block, &rest, ("@" + chunk.name).c_str(), "t");
+  if (status == LUA_ERRRUN && !Runtime::of(state).watch().over)
+    lua_pushfstring(state, "%s: %s", chunk.name.c_str(), lua_tostring(state, -1));
   if (status != LUA_OK) lua_error(state);
 }
 
-std::optional<std::string> Runtime::read(const std::string& path) {
-  std::optional<std::string> content = reader(path);
-  if (content && on_read) on_read({path, *content});
-  if (content) files[path] = *content;
-  return content;
+const std::string* Runtime::read(const std::string& path, std::size_t largest) {
+  const std::size_t share = limits_.bytes / 4;
+  std::optional<std::string> content;
+  try {
+    content = reader(path, std::min(largest, share));
+  } catch (const FileTooLarge& error) {
+    if (share < largest) throw Error(text(error.what(), ", a quarter of --memory-limit"));
+    throw;
+  }
+  if (!content) return nullptr;
+  FileRead told{path, std::move(*content)};
+  if (on_read) on_read(told);
+  return &(files[path] = std::move(told.content));
 }
 
 Outside::Outside() : paused_(current_runtime) {

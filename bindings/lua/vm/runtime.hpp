@@ -33,6 +33,11 @@ struct Opener {
 /// [bytes] What Lua's own functions go once over, asking no clock, takes a fraction of a second then.
 inline constexpr std::size_t longest_string = std::size_t{64} << 20;
 
+/// [bytes] The largest files that are read, of data and of code, and the longest line of numbers: what asks no clock takes
+/// a fraction of a second then.
+inline constexpr std::size_t largest_file = std::size_t{256} << 20, largest_source = std::size_t{16} << 20,
+                             longest_line = std::size_t{1} << 20;
+
 struct Limits {
   double seconds = 0.0;   ///< [s] of one call into the script; 0: none
   std::size_t bytes = 0;  ///< of Lua's memory
@@ -58,8 +63,9 @@ class Runtime {
   }
   /// Pushes the chunk of a text; `name` is what messages call it.
   void load(lua_State* state, const std::string& source, const std::string& name);
-  /// All of a file, which `on_read` is told, or nothing where it cannot be read.
-  std::optional<std::string> read(const std::string& path);
+  /// All of a file, which `on_read` is told and `files` keeps, or null where it cannot be read. Throws Error where it has
+  /// more than `largest` bytes, or than a quarter of the memory: who is told may keep it, too, and so may what is made of it.
+  const std::string* read(const std::string& path, std::size_t largest);
 
   /// How often scripts ran.
   std::uint64_t runs() const { return runs_; }
@@ -67,7 +73,7 @@ class Runtime {
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
 
-  std::function<std::optional<std::string>(const std::string& path)> reader = file_content;  ///< of contents of files
+  FileReader reader = file_content;
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
   std::string name;                              ///< of the scene's file, as messages call it
   std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`

@@ -19,7 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     end
   )";
   SceneOptions options;
-  options.read = [&](const std::string&) { return std::string(reinterpret_cast<const char*>(data), size); };
+  options.read = [&](const std::string&, std::size_t) {
+    return std::string(reinterpret_cast<const char*>(data), size);
+  };
   bool wrong = false;
   try {
     wrong = lua::open_scene_text(script, "scene.lua", ".", options)->results().contains("wrong");
