@@ -131,6 +131,8 @@ TEST_CASE("a script that has the engine do much at once is stopped in time") {
       corners + "scene:shatter(scene:body { shape = shape.hull(p) }, { pieces = 300 })",
       "local p = {} for i = 1, 9000 do local a = i / 4500 * math.pi p[i] = vec(math.cos(a), math.sin(a), 0) end\n"
       "shape.polygon(p, 0.1)",
+      "scene:build(structure.sheet { columns = 120, rows = 120 }, { as = 'deformable', mass = 1 })\n"
+      "while true do scene:snapshot() end",
       "local s = structure.sheet { columns = 300, rows = 300 } while true do shape.mesh(s) end"};
   for (const std::string& call : calls) {
     INFO(call);

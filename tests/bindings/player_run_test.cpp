@@ -113,7 +113,7 @@ scene:connect_within(group, 1, force.spring { stiffness = 1, length = 1 })
   CHECK_THAT(large.err, Contains("the scene takes more memory than it may (--memory-limit)"));
 }
 
-TEST_CASE("program: files that a script reads stay within its memory") {
+TEST_CASE("program: files that a script reads, and snapshots, stay within its memory") {
   Folder folder;
   for (const char* big : {"big.csv", "big.lua"}) {
     write_file(folder / big, "");
@@ -125,6 +125,13 @@ TEST_CASE("program: files that a script reads stay within its memory") {
                Contains("has 1500 MiB; at most 2.5 are read, a quarter of --memory-limit"));
   }
   CHECK_THAT(use(folder, {"run", "big.lua"}).err, Contains("has 1500 MiB; at most 16 are read"));
+  write_file(folder / "keeps.lua", R"(
+scene:build(structure.sheet { columns = 200, rows = 200 }, { as = "deformable", mass = 1 })
+local kept = {}
+for i = 1, 80 do kept[i] = scene:snapshot() end
+)");
+  CHECK_THAT(use(folder, {"run", "keeps.lua", "--memory-limit", "50MiB", "--script-limit", "60"}).err,
+             Contains("keeps.lua:4: the scene takes more memory than it may (--memory-limit)"));
 }
 
 TEST_CASE("program: a run's table has a row at each event that a probe counts") {

@@ -64,7 +64,6 @@ std::shared_ptr<ScriptSnapshot> take_own_snapshot(Script& script) {
     sweep_data(state, script);
     snapshot = std::make_shared<ScriptSnapshot>(state, script);
   });
-  const Outside outside;
   snapshot->world = pantin::take_snapshot(script.world);
   return snapshot;
 }

@@ -175,8 +175,8 @@ void Watch::switch_to(lua_State* state) {
 }
 
 std::int64_t Watch::pause() {
-  const std::int64_t end = deadline.exchange(0);
-  if (end == 0) return 0;
+  if (deadline == 0) return 0;
+  const std::int64_t end = deadline.exchange(never);
   return std::max<std::int64_t>(end == to_be_set ? in_ns(limit) : end - processor_ns(), 1);
 }
 

@@ -30,7 +30,7 @@ struct Watch {
   void leave(Watch* previous);
   /// Moves to another coroutine, which meets its end too if the time is up.
   void switch_to(lua_State* state);
-  /// [ns] left; stops the clock until `resume`.
+  /// [ns] left; stops the clock, not the watch over the memory, until `resume`.
   std::int64_t pause();
   void resume(std::int64_t left);
 
