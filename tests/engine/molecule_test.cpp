@@ -1,6 +1,7 @@
 #include "structures/molecule.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -8,7 +9,9 @@
 #include <map>
 
 #include "base/check.hpp"
+#include "base/interruptible.hpp"
 #include "structures/polyhedra.hpp"
+#include "structures/rings.hpp"
 #include "support/sources.hpp"
 
 using namespace pantin;
@@ -149,4 +152,20 @@ TEST_CASE("of alternatives the first counts, where few or all atoms have them") 
   const Structure s = read_molecule(text + "END\n", "alternatives.pdb");
   REQUIRE(s.vertices.size() == 9);
   for (std::size_t i = 0; i < 9; i++) CHECK(norm(s.vertices[i] - vec(static_cast<double>(i), 0, 0)) < 1e-12);
+}
+
+TEST_CASE("a search for rings that nobody waits for any more ends") {
+  const Structure crowd = [] {
+    std::vector<Vec3> positions;
+    for (int i = 0; i < 1000; i++) positions.push_back(vec(i % 10, i / 10 % 10, i / 100));
+    std::vector<StructureEdge> edges;
+    for (std::uint32_t i = 0; i < 1000; i++)
+      for (std::uint32_t step : {1u, 2u, 10u, 20u, 100u, 200u})
+        if (i + step < 1000) edges.push_back({i, i + step});
+    return make_structure(positions, edges, {});
+  }();
+  const std::atomic<bool> gone = true;
+  given_up = &gone;
+  CHECK_THROWS_AS(flat_rings(crowd, 8, 0.1), GivenUp);
+  given_up = nullptr;
 }
