@@ -20,6 +20,13 @@ TEST_CASE("a scene reaches no files, no other code and no finalizers") {
   CHECK_THAT(failure("\x1bLua"), Contains("scene.lua"));
 }
 
+TEST_CASE("sandbox: no table is weak, since what it has lost depends on the memory of the run") {
+  CHECK_THAT(failure("setmetatable({}, { ['__mo' .. 'de'] = 'v' })"),
+             Contains("scene.lua:1: setmetatable: __mode is not"));
+  CHECK_THAT(failure("local mt = {}\nlocal t = setmetatable({}, mt)\nmt.__mode = 'k'"),
+             Contains("scene.lua:3: __mode is not"));
+}
+
 TEST_CASE("pairs and next go in the same order in every run") {
   const std::string keys = R"(
     local b = scene:body { mass = 1, points = { vec(0, 0, 0) }, name = "late" }

@@ -81,6 +81,19 @@ TEST_CASE("program: what waits in a play is opened again no longer than until Ct
   CHECK(folder.files() == std::vector<std::string>{"wait.lua", "wait.pantin"});
 }
 
+TEST_CASE("program: what nothing can stop ends it, and leaves nothing half-written", "[slow]") {
+  Folder folder;
+  write_file(folder / "keys.lua", R"(scene:at(0.01, function()
+    local t, step, count = {}, 2^19 - 1 | 0, 2^18 | 0
+    for i = 1, count do t[i * step] = true end
+    t[-5] = 1
+  end))");
+  Process process(options({"run", "keys.lua", "--script-limit", "0.2", "--out", "a.csv"}, folder.path));
+  CHECK(process.wait(40 * patience) == 1);
+  CHECK_THAT(process.err(), Contains("cannot be stopped"));
+  CHECK(folder.files().size() == 1);
+}
+
 TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and a second one kills without a trace") {
   Folder folder;
   write_file(folder / "opens.lua", "local s = ('a'):rep(1e6) print('loops')\ns:find('.-.-.-b')");

@@ -9,12 +9,14 @@
 namespace pantin::lua {
 namespace {
 
-/// `__gc` is refused: no limit of time reaches a finalizer.
+/// Refused are `__gc`, since no limit of time reaches a finalizer, and `__mode`, since what a weak table has lost depends on
+/// the memory of the run.
 int set_metatable(lua_State* state) {
-  if (lua_istable(state, 2)) {
-    lua_pushliteral(state, "__gc");
+  for (const char* name : {"__gc", "__mode"}) {
+    if (!lua_istable(state, 2)) break;
+    lua_pushstring(state, name);
     lua_rawget(state, 2);
-    require(lua_isnil(state, -1), "setmetatable: __gc is not allowed in scenes");
+    require(lua_isnil(state, -1), "setmetatable: ", name, " is not allowed in scenes");
     lua_pop(state, 1);
   }
   return lua_tocfunction(state, lua_upvalueindex(1))(state);

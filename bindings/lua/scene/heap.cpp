@@ -549,9 +549,11 @@ void HeapReader::table(int index) {
   value();
   require(lua_istable(state_, -1) || lua_isnil(state_, -1), "a metatable in it is none");
   if (lua_istable(state_, -1)) {
-    lua_pushliteral(state_, "__gc");
-    require(lua_rawget(state_, -2) == LUA_TNIL, "a metatable in it has a finalizer");
-    lua_pop(state_, 1);
+    for (const char* name : {"__gc", "__mode"}) {
+      lua_pushstring(state_, name);
+      require(lua_rawget(state_, -2) == LUA_TNIL, "a metatable in it has ", name);
+      lua_pop(state_, 1);
+    }
   }
   lua_setmetatable(state_, index);
   for (;;) {

@@ -143,6 +143,12 @@ void Runtime::fail(lua_State* state, int status) {
 
 void Runtime::load(lua_State* state, const std::string& source, const std::string& named) {
   require(!source.starts_with('\x1b'), named, ":1: this is compiled code, and a scene is a text");
+  // A metatable may get it later.
+  const auto weak = source.find("__mode");
+  require(
+      weak == source.npos, named, ":",
+      1 + std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(std::min(weak, source.size())), '\n'),
+      ": __mode is not allowed in scenes: what a weak table has lost depends on the memory of the run");
   speaks_of_reset = speaks_of_reset || source.find("reset") != source.npos;
   const SourceText chunk{named, source};
   load_text(state, chunk);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -32,6 +34,9 @@ std::int64_t processor_ns(pthread_t thread) {
 }
 
 std::int64_t processor_ns() { return nanoseconds(CLOCK_THREAD_CPUTIME_ID); }
+
+/// [ns] that what cannot be stopped, as one operation of Lua's own on a huge table, may go on for.
+constexpr std::int64_t longest_end = 10'000'000'000;
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
 /// The watchdog sets it when it looks next: what is called at each step comes back before, and a look at a thread's clock takes
@@ -80,6 +85,15 @@ void send(Watch& watch) {
 #endif
 }
 
+/// Nothing else is left to be done about a script that goes on.
+[[noreturn]] void end_program() {
+  std::fputs(
+      "pantin: the script is 10 s past its end and cannot be stopped in what it does: the program ends here "
+      "(--script-limit)\n",
+      stderr);
+  std::quick_exit(1);
+}
+
 /// The thread that looks at all watches.
 class Watchdog {
  public:
@@ -116,11 +130,18 @@ class Watchdog {
     while (!stop.stop_requested()) {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
       for (Watch* watch : watches_) {
-        if (watch->over || watch->deadline == 0) continue;
+        if (watch->deadline == 0) continue;
+        if (const std::int64_t since = watch->ending_since;
+            since != 0 && processor_ns(watch->thread) > since + longest_end)
+          end_program();
+        if (watch->over) continue;
         std::int64_t unset = to_be_set;
         watch->deadline.compare_exchange_strong(unset, processor_ns(watch->thread) + in_ns(watch->limit));
         if (watch->memory.exceeded()) watch->full = true;
-        if (time_is_over(*watch)) send(*watch);
+        if (!time_is_over(*watch)) continue;
+        send(*watch);
+        std::int64_t going_on = 0;
+        watch->ending_since.compare_exchange_strong(going_on, processor_ns(watch->thread));
       }
     }
   }
@@ -155,6 +176,7 @@ Watch* Watch::enter(lua_State* state, double seconds) {
   running = state;
   thread = pthread_self();
   over = full = false;
+  ending_since = 0;
   deadline = seconds > 0 ? to_be_set : never;
   return previous;
 }

@@ -36,9 +36,10 @@ struct Watch {
 
   std::atomic<double> limit{0.0};  ///< [s]
   std::atomic<lua_State*> running{nullptr};
-  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the thread's processor time; 0: no call is going on
-  std::atomic<bool> over{false};          ///< the time is up, or the memory
-  std::atomic<bool> full{false};          ///< it is the memory
+  std::atomic<std::int64_t> deadline{0};      ///< [ns] of the thread's processor time; 0: no call is going on
+  std::atomic<std::int64_t> ending_since{0};  ///< [ns] of the same, when it was first told to end; 0: it was not
+  std::atomic<bool> over{false};              ///< the time is up, or the memory
+  std::atomic<bool> full{false};              ///< it is the memory
   MemoryLimit memory;
   std::atomic<pthread_t> thread{};
   int depth = 0;
