@@ -18,8 +18,7 @@ for _, foot in ipairs { vec(-1.3, 0, 0), vec(1.3, 0, 0), beam } do
 end
 scene:ground { shapes = parts, color = "#8d6b45" }
 
--- The arm, drawn back: x points to its bowl.
-local back = quat(vec(0, 0, 1), math.pi + 0.7)
+local back = quat(vec(0, 0, 1), math.pi + 0.7) -- of the arm, whose x points to its bowl
 local bowl, wall = vec(long - 0.25, 0, 0), 0.03
 local function board(x, y, z, at) return shape.box(x, y, z, { at = bowl + at, density = 500 }) end
 local arm = scene:body {
@@ -31,23 +30,24 @@ local arm = scene:body {
   },
   points = { left = vec(0, 0, 0.7), right = vec(0, 0, -0.7), tip = vec(long, 0, 0), root = vec(-short, 0, 0) },
 }
-for _, pin in ipairs { arm.left, arm.right } do scene:nail(pin) end
+scene:nail(arm.left) scene:nail(arm.right)
 local load = scene:box { size = vec(0.8, 0.8, 0.9), mass = weight, at = arm.root.position - vec(0, 0.6, 0), color = "#4b5563",
                          points = { eye = vec(0, 0.6, 0) } }
 scene:hinge(arm.root, load.eye)
 
-local low, shot = arm.tip.position, nil
+local low, shot, shots = arm.tip.position, nil, {}
 scene:play(function(wait)
   while arm.alive do
     shot = scene:ball { radius = 0.17, mass = stone, friction = 0.5, color = "#374151",
                         at = axle + arm.orientation:rotate(bowl - vec(0, 0.115 + 0.17, 0)) }
+    shots[#shots + 1] = shot
+    if #shots > 6 then table.remove(shots, 1):remove() end
     local latch = scene:rod(arm.tip, vec(low.x, 0, 0))
     wait(1) latch:remove() wait(6)
     local from, since = arm.tip.position, scene.time
     local function wound(t) return from + (low - from) * math.min(1, (t - since) / 4) end
     local winch = scene:follow(arm.tip, wound, { max_force = 30 * weight })
-    wait(5) winch:remove()
-    stone = 1.3 * stone
+    wait(5) winch:remove() stone = math.min(1.3 * stone, 400)
   end
 end)
 for row = 0, 5 do
