@@ -57,7 +57,7 @@ void add_to_group(World& world, GroupId group, AnyId thing) {
   Group& row = world.groups[group];
   if (world.forces && world.forces->grouped) disturb_forces(world);
   if (!row.known.insert(thing).second) return;
-  row.members.push_back(std::move(thing));
+  row.members.push_back(thing);
   if (row.members.size() >= row.sweep) drop_dead(world, row);
 }
 

@@ -157,8 +157,8 @@ std::uint32_t stage_count(const World& world) {
 
 void begin_stage(World& world, std::uint32_t index) {
   const auto stages = rule_of(world).stages;
-  const std::size_t stage = index % stages.size();
-  const double before = static_cast<double>(index / stages.size()), width = 1.0 / world.sub_steps.count;
+  const std::size_t stage = index % stages.size(), whole = index / stages.size();
+  const double before = static_cast<double>(whole), width = 1.0 / world.sub_steps.count;
   StepStage& p = world.stage;
   p.index = index;
   p.full = world.settings.step * width;

@@ -180,7 +180,10 @@ void NeighbourList::build(const Sites& sites, const Box& box, std::span<const st
     if (std::find(a.begin(), a.end(), sites.family[i]) != a.end()) work_->a.push_back(i);
     if (!within_ && std::find(b.begin(), b.end(), sites.family[i]) != b.end()) work_->b.push_back(i);
   }
-  for (int k = 0; k < 27; k++) shifts_[k] = box.edge * vec(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+  for (int k = 0; k < 27; k++) {
+    const int row = k / 3 % 3, layer = k / 9;
+    shifts_[k] = box.edge * vec(k % 3 - 1, row - 1, layer - 1);
+  }
   const double finite_reach = cutoff < infinity ? reach_ : 1.0;
   work_->grid = make_grid({sites.x.data(), sites.n}, work_->a, work_->b, box, finite_reach);
   const double scale = cutoff < infinity ? cutoff : work_->grid.extent > 0.0 ? work_->grid.extent : 1.0;
