@@ -146,8 +146,8 @@ std::vector<LegendEntry> legend_of(const std::vector<Plot>& plots, const std::ve
 
 void draw_legend(std::string& svg, const std::vector<LegendEntry>& entries, int per_line, double width, double y0) {
   for (std::size_t i = 0; i < entries.size(); i++) {
-    const int place = static_cast<int>(i);
-    const double x = left + width * (place % per_line), y = y0 + legend_line * (place / per_line);
+    const int place = static_cast<int>(i), line = place / per_line;
+    const double x = left + width * (place % per_line), y = y0 + legend_line * line;
     switch (entries[i].kind) {
       case LegendEntry::Kind::line: svg_line(svg, x, y - 4, x + 22, y - 4, entries[i].style); break;
       case LegendEntry::Kind::dot: draw_dot(svg, svg_number(x + 11), svg_number(y - 4), entries[i].look); break;
@@ -173,8 +173,10 @@ std::string draw_plots(const std::vector<Plot>& plots, int columns) {
   const double lines = std::ceil(static_cast<double>(legend.size()) / per_line);
   const double width = plot_width * wide, height = plot_height * rows + 20 + legend_line * lines;
   std::string svg = svg_begin(width + (bar ? ColorBar::width : 0.0), height);
-  for (int i = 0; i < count; i++)
-    draw_plot(svg, plots[static_cast<std::size_t>(i)], plot_width * (i % wide), plot_height * (i / wide), names, bar);
+  for (int i = 0; i < count; i++) {
+    const int row = i / wide;
+    draw_plot(svg, plots[static_cast<std::size_t>(i)], plot_width * (i % wide), plot_height * row, names, bar);
+  }
   draw_legend(svg, legend, per_line, entry_width, plot_height * rows + 20);
   if (bar) bar->draw(svg, width, top, plot_height - bottom);
   return svg + "</svg>\n";

@@ -24,6 +24,11 @@ MemoryLimit::MemoryLimit(std::size_t bytes) {
   most_ = bytes > most - now ? most : now + bytes;
 }
 
+bool MemoryLimit::exceeded(std::size_t beyond) const {
+  const std::size_t now = resident_memory();
+  return now > most_ && now - most_ > beyond;
+}
+
 void MemoryLimit::check() {
   constexpr unsigned often = 256;
   if (++asked_ % often == 0) require(!exceeded(), message());

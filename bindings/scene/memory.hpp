@@ -10,7 +10,8 @@ std::size_t resident_memory();
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t bytes);
-  bool exceeded() const { return resident_memory() > most_; }
+  /// By more than `beyond` [bytes].
+  bool exceeded(std::size_t beyond = 0) const;
   /// Throws Error, now and then asked.
   void check();
   /// What is told of it.

@@ -94,6 +94,16 @@ TEST_CASE("program: what nothing can stop ends it, and leaves nothing half-writt
   CHECK(folder.files().size() == 1);
 }
 
+TEST_CASE("program: a step that takes far more memory than it may ends it", "[slow]") {
+  Folder folder;
+  write_file(folder / "string.lua",
+             "local points = {} for i = 1, 12000 do points[i] = scene:particle { at = vec(i * 1e-3, 0, 0) } end\n"
+             "scene:string(points)");
+  Process process(options({"run", "string.lua", "--until", "0.1", "--memory-limit", "100MiB"}, folder.path));
+  CHECK(process.wait(patience) == 1);
+  CHECK_THAT(process.err(), Contains("--memory-limit") && Contains("cannot be stopped"));
+}
+
 TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and a second one kills without a trace") {
   Folder folder;
   write_file(folder / "opens.lua", "local s = ('a'):rep(1e6) print('loops')\ns:find('.-.-.-b')");

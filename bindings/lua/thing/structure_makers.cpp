@@ -29,7 +29,8 @@ double length(const Options& o, const char* name) { return o.number(name, "m").v
 int whole(const Options& o, const char* name, int usual) {
   const double value = o.number(name, "").value_or(usual);
   require(std::trunc(value) == value, o.what(), ": ", name, " must be a whole number, got ", value);
-  require(value <= most_parts, o.what(), ": ", name, " must be at most ", most_parts, ", got ", value);
+  require(value <= most_parts, o.what(), ": ", name, " must be at most ", static_cast<int>(most_parts), ", got ",
+          value);
   return static_cast<int>(std::fmax(value, -most_parts));
 }
 

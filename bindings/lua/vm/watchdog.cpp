@@ -85,12 +85,12 @@ void send(Watch& watch) {
 #endif
 }
 
-/// Nothing else is left to be done about a script that goes on.
-[[noreturn]] void end_program() {
-  std::fputs(
-      "pantin: the script is 10 s past its end and cannot be stopped in what it does: the program ends here "
-      "(--script-limit)\n",
-      stderr);
+/// [bytes] that one step, which nobody looks at meanwhile, may take beyond the limit.
+constexpr std::size_t most_beyond = std::size_t{1} << 30;
+
+/// Nothing else is left to be done about what goes on.
+[[noreturn]] void end_program(const char* why) {
+  std::fprintf(stderr, "pantin: %s, and cannot be stopped in what it does: the program ends here\n", why);
   std::quick_exit(1);
 }
 
@@ -130,10 +130,11 @@ class Watchdog {
     while (!stop.stop_requested()) {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
       for (Watch* watch : watches_) {
+        if (watch->memory.exceeded(most_beyond)) end_program(MemoryLimit::message());
         if (watch->deadline == 0) continue;
         if (const std::int64_t since = watch->ending_since;
             since != 0 && processor_ns(watch->thread) > since + longest_end)
-          end_program();
+          end_program("the script is 10 s past its end (--script-limit)");
         if (watch->over) continue;
         std::int64_t unset = to_be_set;
         watch->deadline.compare_exchange_strong(unset, processor_ns(watch->thread) + in_ns(watch->limit));
