@@ -80,6 +80,7 @@ Table stats(const World& world) {
   count("contact_islands", s.contact_islands);
   count("contact_iterations", s.contact_iterations);
   count("unsolved_islands", s.unsolved_islands);
+  table.push_back({"gains_taken_back", s.gains_taken_back});
   count("sub_steps", world.sub_steps.count);
   count("most_sub_steps", most.count);
   table.push_back({"most_sub_steps_of", std::move(most.thing)});

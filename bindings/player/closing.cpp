@@ -67,6 +67,18 @@ std::optional<std::string> loosely_solved(const World& world) {
               " in ", world.steps, " steps");
 }
 
+std::optional<std::string> gains_taken_back(const World& world) {
+  constexpr double told_from = 1e-2;
+  const double part = world.stats.gains_taken_back / world.largest_kinetic;
+  if (!(part > told_from)) return {};
+  char line[200];
+  std::snprintf(line, sizeof line,
+                "contacts gave %.2g J too much, %.2g %% of the largest kinetic energy, which was taken back by slowing "
+                "things down; a shorter step follows their blows",
+                world.stats.gains_taken_back, 100.0 * part);
+  return line;
+}
+
 void print_closing(const Scene& scene, const std::string& path, double seconds) {
   const World& world = scene.world();
   std::ostringstream told;
@@ -84,6 +96,7 @@ void print_closing(const Scene& scene, const std::string& path, double seconds) 
                  " fallback steps, which only lose energy, where an articulate could not be solved\n");
   if (const auto overlap = deep_overlap(world)) told << "  " << *overlap << "\n";
   if (const auto loosely = loosely_solved(world)) told << "  " << *loosely << "\n";
+  if (const auto gains = gains_taken_back(world)) told << "  " << *gains << "\n";
   if (const auto wrong = energy_gone_wrong(world)) told << "  " << *wrong << remedy(world, path) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);

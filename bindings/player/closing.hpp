@@ -14,6 +14,9 @@ std::optional<std::string> deep_overlap(const World& world);
 /// A sentence where impulses of contacts were left that miss the law of friction.
 std::optional<std::string> loosely_solved(const World& world);
 
+/// A sentence where contacts gave much energy that was taken back, which no energy error tells.
+std::optional<std::string> gains_taken_back(const World& world);
+
 /// A few lines on standard output at the end of a run, and the scene's warnings on standard error. `seconds` of wall time.
 void print_closing(const Scene& scene, const std::string& path, double seconds);
 

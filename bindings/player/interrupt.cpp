@@ -38,7 +38,6 @@ Interrupt::Interrupt() {
   };
   for (const int number : asks) hear(number, note, SA_RESTART);
   for (const int number : kills) hear(number, die, 0);
-  [[maybe_unused]] static const int at_end = std::at_quick_exit([] { Unfinished::remove_all(); });
 }
 
 Interrupt::~Interrupt() {

@@ -30,7 +30,9 @@
 #include "player/sweep/ranks.hpp"
 #include "player/sweep/sweep.hpp"
 #include "player/test.hpp"
+#include "player/unfinished.hpp"
 #include "scene/errors.hpp"
+#include "scene/interrupt.hpp"
 #include "view/keys.hpp"
 
 namespace pantin::player {
@@ -73,10 +75,17 @@ void keep_standard_numbers() {
     if (fcntl(number, F_GETFD) < 0) (void)!::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+void end_at_once(const char* why) {
+  std::fprintf(stderr, "pantin: %s, and cannot be stopped in what it does: the program ends here\n", why);
+  Unfinished::remove_all();
+  std::_Exit(1);
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
   keep_standard_numbers();
+  last_resort = end_at_once;
   // A full pipe, disk or quota is a failed write, which is told as such.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

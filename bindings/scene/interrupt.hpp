@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 
 namespace pantin {
 
@@ -10,5 +11,8 @@ bool scripts_interrupted() noexcept;
 bool scripts_must_end() noexcept;
 /// Scripts may take their time again.
 void allow_scripts() noexcept;
+
+/// Ends the program where nothing else can stop a scene, and says why. Null, as in a program that only holds scenes: it goes on.
+inline std::atomic<void (*)(const char* why)> last_resort{nullptr};
 
 }  // namespace pantin

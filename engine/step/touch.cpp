@@ -126,6 +126,7 @@ void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, world.contacts.work + report.work - report.wrong);
   DriftReport told;
   told.unsolved = report.wrong - report.taken_back;
+  world.stats.gains_taken_back += report.taken_back;
   post_report(world, told);
   if (world.contacts.heat_kept) settle_heat(world, world.contacts, report.wrong);
 }

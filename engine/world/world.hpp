@@ -120,6 +120,7 @@ struct Stats {
   std::uint64_t contact_islands = 0;  ///< of the last step: what touches and what ties it, solved together
   std::uint64_t contact_iterations = 0;
   std::uint64_t unsolved_islands = 0;  ///< times that impulses were left that miss the law of friction
+  double gains_taken_back = 0.0;       ///< [J] that contacts gave, which only take, and that was taken back
   std::uint64_t halved_steps = 0;
   std::uint64_t fallback_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own

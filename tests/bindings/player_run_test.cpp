@@ -91,6 +91,22 @@ scene:nail(lever.pivot)
   CHECK_FALSE(nlohmann::json::parse(read_file(folder / "s.json")).contains("deepest_overlap"));
 }
 
+TEST_CASE("program: what contacts gave too much is told, though it was taken back and no energy error tells it") {
+  Folder folder;
+  write_file(folder / "rods.lua", R"(
+    scene.step, scene.seed = 1 / 60, 22
+    scene:floor {}
+    for i = 1, 20 do
+      local along = vec(math.random() - 0.5, math.random() - 0.5, math.random() - 0.5):normalized() * 0.125
+      local at = vec(0.1 * math.random(), 1 + 0.06 * i, 0.1 * math.random())
+      scene:capsule { radius = 0.0009, from = at - along, to = at + along, density = 1400 }
+    end
+  )");
+  const Finished done = use(folder, {"run", "rods.lua", "--until", "1", "--summary", "s.json"});
+  CHECK_THAT(done.out, Contains("J too much") && Contains("which was taken back"));
+  CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["stats"]["gains_taken_back"] > 0.0);
+}
+
 TEST_CASE("program: what the engine does for a script ends with the script's time, and within its memory") {
   Folder folder;
   write_file(folder / "dense.lua", R"(

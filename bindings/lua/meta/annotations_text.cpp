@@ -168,6 +168,7 @@ function quat_methods:inverse() end
 ---@field contact_islands integer of what touches, with what ties it, in the last step
 ---@field contact_iterations integer of all of them
 ---@field unsolved_islands integer times that impulses were left that miss the law of friction
+---@field gains_taken_back number [J] that contacts gave, which only take, and that was taken back by slowing down what they act on: no energy error tells it
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included
 ---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many

@@ -158,11 +158,7 @@ void Runtime::load(lua_State* state, const std::string& source, const std::strin
 namespace {
 /// A block of a text (std::string_view) for Lua's parser. Raises an error where the script has to end.
 const char* next_block(lua_State* state, void* text, std::size_t* size) {
-  if (Runtime::of(state).watch().over) {
-    const std::string message = why_stopped(state);
-    lua_pushlstring(state, message.data(), message.size());
-    lua_error(state);
-  }
+  if (Runtime::of(state).watch().over) raise_stopped(state);
   auto& rest = *static_cast<std::string_view*>(text);
   const std::string_view block = rest.substr(0, 65536);
   rest.remove_prefix(block.size());

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -58,9 +56,7 @@ void stop_script(lua_State* state, lua_Debug*) {
     lua_sethook(state, nullptr, 0, 0);
     return;
   }
-  const std::string message = why_stopped(state);
-  lua_pushlstring(state, message.data(), message.size());
-  lua_error(state);
+  raise_stopped(state);
 }
 
 void time_is_up(Watch& watch) {
@@ -88,10 +84,12 @@ void send(Watch& watch) {
 /// [bytes] that one step, which nobody looks at meanwhile, may take beyond the limit.
 constexpr std::size_t most_beyond = std::size_t{1} << 30;
 
-/// Nothing else is left to be done about what goes on.
-[[noreturn]] void end_program(const char* why) {
-  std::fprintf(stderr, "pantin: %s, and cannot be stopped in what it does: the program ends here\n", why);
-  std::quick_exit(1);
+/// What has to be ended from outside, or null.
+const char* unstoppable(const Watch& watch) {
+  if (watch.memory.exceeded(most_beyond)) return MemoryLimit::message();
+  const std::int64_t since = watch.ending_since;
+  if (watch.deadline == 0 || since == 0 || processor_ns(watch.thread) <= since + longest_end) return nullptr;
+  return "the script is 10 s past its end (--script-limit)";
 }
 
 /// The thread that looks at all watches.
@@ -130,12 +128,9 @@ class Watchdog {
     while (!stop.stop_requested()) {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
       for (Watch* watch : watches_) {
-        if (watch->memory.exceeded(most_beyond)) end_program(MemoryLimit::message());
-        if (watch->deadline == 0) continue;
-        if (const std::int64_t since = watch->ending_since;
-            since != 0 && processor_ns(watch->thread) > since + longest_end)
-          end_program("the script is 10 s past its end (--script-limit)");
-        if (watch->over) continue;
+        if (auto* end = last_resort.load())
+          if (const char* why = unstoppable(*watch)) end(why);
+        if (watch->over || watch->deadline == 0) continue;
         std::int64_t unset = to_be_set;
         watch->deadline.compare_exchange_strong(unset, processor_ns(watch->thread) + in_ns(watch->limit));
         if (watch->memory.exceeded()) watch->full = true;
@@ -164,6 +159,12 @@ std::string why_stopped(lua_State* state) {
   if (Runtime::of(state).watch().full) return begin + MemoryLimit::message();
   return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit.load(),
               " s and was stopped (--script-limit)");
+}
+
+void raise_stopped(lua_State* state) {
+  const std::string message = why_stopped(state);
+  lua_pushlstring(state, message.data(), message.size());
+  lua_error(state);
 }
 
 Watch::Watch(std::size_t bytes) : memory(bytes) { Watchdog::instance().add(this); }

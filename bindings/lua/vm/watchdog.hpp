@@ -60,5 +60,7 @@ void start_watchdog();
 
 /// Why the script that runs has to end, with its place.
 std::string why_stopped(lua_State* state);
+/// Raises that as an error of Lua.
+void raise_stopped(lua_State* state);
 
 }  // namespace pantin::lua
