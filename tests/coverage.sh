@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 build=$PWD/build/coverage
 export PANTIN_PRESET=coverage PANTIN_HOME=$PWD
 ./pantin --help >/dev/null
-cmake --build "$build" --target pantin_tests >/dev/null
+cmake --build "$build" --target pantin_tests >"$build/tests.log" || { cat "$build/tests.log"; exit 1; }
 rm -f "$build"/*.profraw
 export LLVM_PROFILE_FILE=$build/%8m.profraw
 "$build/bin/pantin_tests" "~[window]~[slow]~[minute]" | tail -3 || failed=1

@@ -8,7 +8,7 @@ shift || true
 targets=("$@")
 [ "${targets[*]}" ] || targets=($(ls tests/fuzz/targets | sed -n 's/\.cpp$//p'))
 PANTIN_PRESET=fuzz ./pantin --help >/dev/null
-cmake --build build/fuzz --target fuzz_targets >/dev/null
+cmake --build build/fuzz --target fuzz_targets >build/fuzz/targets.log || { cat build/fuzz/targets.log; exit 1; }
 export PANTIN_HOME=$PWD
 finds=$PWD/build/fuzz/finds
 seeds=$(mktemp -d)

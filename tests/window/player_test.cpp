@@ -100,7 +100,8 @@ TEST_CASE("what fell out is brought back by a button, and that is undone", "[win
   }
   REQUIRE(button);
   played.frames(2);
-  played.click(button->Pos.x + 0.8f * button->Size.x, button->Pos.y + 0.5f * button->Size.y);
+  const ImVec2 at = {button->Pos.x + 0.8f * button->Size.x, button->Pos.y + 0.5f * button->Size.y};
+  played.click(static_cast<double>(at.x), static_cast<double>(at.y));
   played.frames(5);
   CHECK(height() > 0.0);
   played.player->undo();
