@@ -77,7 +77,7 @@ std::vector<SceneEntry> scenes_in(const fs::path& folder) {
   std::vector<SceneEntry> scenes;
   std::error_code failed;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
-    if (it->path().extension() == ".lua")
+    if (std::error_code unknown; it->path().extension() == ".lua" && it->is_regular_file(unknown))
       if (SceneEntry entry = read_entry(it->path()); !entry.path.empty()) scenes.push_back(std::move(entry));
   const auto place = [&](const SceneEntry& scene) {
     const auto found = listed.find(scene.name);

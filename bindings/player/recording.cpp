@@ -23,6 +23,9 @@ std::string path_as_recorded(const std::string& path, const std::string& home) {
 }
 
 Recording read_recording(const std::string& path) {
+  std::error_code unknown;
+  require(!fs::exists(path, unknown) || fs::is_regular_file(path, unknown), path,
+          ": this is no file that can be replayed");
   std::ifstream file(path, std::ios::binary);
   require(static_cast<bool>(file), path, ": there is no such file, or it cannot be read");
   Recording recording;

@@ -1,4 +1,5 @@
 // Lines of a recording.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -272,20 +274,7 @@ FieldEdit edit_of(const Json& line) {
   return edit;
 }
 
-}  // namespace
-
-std::string line_of(const RecordingHead& head) {
-  Json line{{"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}};
-  line["set"] = Json::object();
-  for (const auto& [name, value] : head.set) line["set"][letters_of(name)] = letters_of(value);
-  line["files"] = Json::object();
-  for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
-  for (const auto& [name, value] : head.saved) line["saved"][letters_of(name)] = json_of(value);
-  return line.dump();
-}
-
-RecordingHead head_of(const std::string& text) {
-  const Json line = Json::parse(text);
+RecordingHead read_head(const Json& line) {
   const auto found = whole_of<int>(line.at("pantin"));
   require(found == format_version, "it has the format ", found, ", and this program reads the format ", format_version);
   RecordingHead head{line.at("version"), bytes_of(line.at("scene")), {}, {}};
@@ -296,14 +285,7 @@ RecordingHead head_of(const std::string& text) {
   return head;
 }
 
-std::string line_of(const RecordedAct& act) {
-  Json line{{"tick", act.tick}};
-  std::visit([&](const auto& what) { write(line, what); }, act.what);
-  return line.dump();
-}
-
-RecordedAct act_of(const std::string& text_of_line) {
-  const Json line = Json::parse(text_of_line);
+RecordedAct read_act(const Json& line) {
   RecordedAct act{whole_of<std::uint64_t>(line.at("tick")), RecordingEnd{}};
   if (line.contains("moves") || line.contains("commands"))
     act.what = input_of(line);
@@ -333,5 +315,40 @@ RecordedAct act_of(const std::string& text_of_line) {
     require(line.contains("end"), "this says nothing that is known");
   return act;
 }
+
+/// Throws Error that leaves out what the JSON library calls its errors.
+template <class What>
+What read_line(const std::string& line, What (*read)(const Json&)) {
+  const Json json = Json::parse(line, nullptr, false);
+  require(!json.is_discarded(), "the line is no JSON");
+  try {
+    return read(json);
+  } catch (const Json::exception& error) {
+    const std::string_view told = error.what();
+    throw Error(std::string(told.substr(std::min(told.find(']') + 2, told.size()))));
+  }
+}
+
+}  // namespace
+
+std::string line_of(const RecordingHead& head) {
+  Json line{{"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}};
+  line["set"] = Json::object();
+  for (const auto& [name, value] : head.set) line["set"][letters_of(name)] = letters_of(value);
+  line["files"] = Json::object();
+  for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
+  for (const auto& [name, value] : head.saved) line["saved"][letters_of(name)] = json_of(value);
+  return line.dump();
+}
+
+RecordingHead head_of(const std::string& text) { return read_line(text, read_head); }
+
+std::string line_of(const RecordedAct& act) {
+  Json line{{"tick", act.tick}};
+  std::visit([&](const auto& what) { write(line, what); }, act.what);
+  return line.dump();
+}
+
+RecordedAct act_of(const std::string& text_of_line) { return read_line(text_of_line, read_act); }
 
 }  // namespace pantin::player

@@ -156,7 +156,7 @@ int run(const RunOptions& options, const std::string& home) {
       frames->add();
       saves.look();
     });
-    if (!Interrupt::asked()) saves.check();
+    saves.check();
   } catch (const Error& error) {
     if (world.steps == 0) throw;
     failure = outputs.in_own_names(error.what());

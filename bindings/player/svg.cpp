@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/check.hpp"
+#include "scene/printable.hpp"
 
 namespace pantin::player {
 namespace {
@@ -43,7 +44,8 @@ std::string svg_number(double pixels) {
 
 std::string svg_escaped(const std::string& words) {
   std::string result;
-  for (const char c : words) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  for (const char c : printable(words))
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return result;
 }
 

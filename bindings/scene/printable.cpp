@@ -8,11 +8,11 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// C0 and C1 but tab and new line, what turns the direction of reading, and what ends lines elsewhere.
+/// C0 and C1 but tab and new line, what turns the direction of reading, what ends lines elsewhere, and what XML takes for none.
 bool commands(char32_t code) {
   if (code < 0x20) return code != '\n' && code != '\t';
   return (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e || code == 0x200f ||
-         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) || code == 0xfffe || code == 0xffff;
 }
 
 /// Bytes of the character that a text begins with; 0: it is one that commands, or none.

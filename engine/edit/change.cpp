@@ -206,6 +206,7 @@ void set_box(World& world, std::optional<Vec3> box) {
 
 void set_integrator(World& world, Integrator integrator) {
   require_unlocked(world, "integrator");
+  require_integrator(integrator);
   const Integrator before = std::exchange(world.settings.integrator, integrator);
   try {
     require_integrator_fits(world);
@@ -246,9 +247,7 @@ void set_accuracy_per_step(World& world, bool per_step) {
 
 void set_step(World& world, double step) {
   require_unlocked(world, "step");
-  constexpr double least = 1e-18;  // [s] no run of less comes anywhere
-  require_positive("scene", "step", step, "s");
-  require(step >= least, "scene: step must be at least 1e-18 s, got ", step);
+  require_step(step);
   acted(world);
   world.settings.step = step;
   world.stiffness_unknown = true;

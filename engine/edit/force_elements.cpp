@@ -4,6 +4,7 @@
 #include "edit/edit.hpp"
 #include "forces/solved.hpp"
 #include "laws/library.hpp"
+#include "laws/run/block.hpp"
 #include "laws/run/sites.hpp"
 #include "laws/within_cutoff.hpp"
 
@@ -31,9 +32,27 @@ const char* kind_name(LawKind kind) {
 
 bool is_pair(const Law& law) { return law.kind == LawKind::central || law.kind == LawKind::pair; }
 
+std::size_t ends_of(const Law& law) { return is_pair(law) ? 2 : static_cast<std::size_t>(law.count); }
+
+/// Throws Error where there is no law, or it has not what its kind gives.
+void require_law(std::string_view call, const std::shared_ptr<const Law>& law) {
+  require(law != nullptr, call, ": a law is needed, got none");
+  constexpr int most = 4;  // particles
+  const int least = is_pair(*law) ? 2 : 1;
+  const bool many = law->kind == LawKind::many;
+  require(law->kind <= LawKind::many && law->count >= least && law->count <= (many ? most : least), call,
+          ": the law \"", law->name, "\" is of no kind, or of ", law->count, " particles");
+  const auto outside = [&](Expr e) { return !law->graph.has(e); };
+  const auto missing = [&](Expr e) { return e != no_expression && outside(e); };
+  require(law->called || (law->force.size() == force_outputs(*law) &&
+                          std::none_of(law->force.begin(), law->force.end(), outside) && !missing(law->energy) &&
+                          !missing(law->stiffness)),
+          call, ": the law \"", law->name, "\" has no force; central_potential and its like make laws");
+}
+
 /// Every end alive, none twice, at least one that can move.
 void check_ends(const World& world, const Law& law, std::span<const End> ends) {
-  const std::size_t wanted = is_pair(law) ? 2 : static_cast<std::size_t>(law.count);
+  const std::size_t wanted = ends_of(law);
   require(law.kind != LawKind::point, "connect: a point law acts on single particles; use scene:field");
   require(ends.size() == wanted, "connect: a ", kind_name(law.kind), " law ties ", wanted, " particles, got ",
           ends.size());
@@ -53,6 +72,8 @@ void check_ends(const World& world, const Law& law, std::span<const End> ends) {
 }
 
 void write_parameter(const Law& law, std::vector<double>& values, std::size_t index, double value) {
+  require(index < values.size(), "parameters: the law \"", law.name, "\" has ", values.size(),
+          ", counted from 0, got the index ", index);
   const std::string& name = law.parameters[index].name;
   require(!given_by_world(name), "parameters: ", name, " is the scene's, and cannot be written here");
   require_finite("parameters", name, value, law.parameters[index].unit);
@@ -73,6 +94,7 @@ double present_value(const World& world, std::span<const End> ends) {
 
 ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def) {
   require_unlocked(world, "connect");
+  require_law("connect", law);
   check_ends(world, *law, def.ends);
   require_positive_or_infinite("connect", "breaks_at.force", def.max_force, "N");
   require_positive_or_infinite("connect", "breaks_at.length", def.max_length, "m");
@@ -110,6 +132,7 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
 InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, FamilyId a, FamilyId b,
                               std::vector<double> parameters) {
   require_unlocked(world, "interact");
+  require_law("interact", law);
   require(is_pair(*law), "interact: it needs a pair law, got a ", kind_name(law->kind), " law");
   for (FamilyId family : {a, b}) require(world.families.alive(family), "interact: ", world.families.story(family));
   Interaction row;
@@ -125,6 +148,7 @@ InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, Fami
 
 FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& target, std::vector<double> parameters) {
   require_unlocked(world, "field");
+  require_law("field", law);
   require(law->kind == LawKind::point, "field: it needs a point law, got a ", kind_name(law->kind), " law");
   Field row;
   if (const FamilyId* family = std::get_if<FamilyId>(&target)) {
@@ -199,31 +223,39 @@ void remove(World& world, FieldId id) {
 
 void set_enabled(World& world, const ForceElementId& id, bool enabled) {
   require_unlocked(world, "enabled");
+  ForceElement& row = force_element(world, id);
   disturb_forces(world);
   if (const auto* connection = std::get_if<ConnectionId>(&id)) {
     world.stiffness_unknown = true;
     touch_solved(world, world.connections[*connection]);
   }
-  force_element(world, id).enabled = enabled;
+  row.enabled = enabled;
 }
 
 void set_parameter(World& world, const ForceElementId& id, std::size_t index, double value) {
   require_unlocked(world, "parameters");
-  disturb_forces(world);
-  if (std::holds_alternative<ConnectionId>(id)) world.stiffness_unknown = true;
   ForceElement& row = force_element(world, id);
   std::vector<double> values = row.parameters;
   write_parameter(*row.law, values, index, value);
+  std::shared_ptr<Law> remade;
   if (std::holds_alternative<InteractionId>(id) && row.law->remade) {
-    const std::shared_ptr<Law> law = row.law->remade(values);
-    law->name = row.law->name;
-    row.law = law;
+    remade = row.law->remade(values);
+    remade->name = row.law->name;
   }
+  disturb_forces(world);
+  if (std::holds_alternative<ConnectionId>(id)) world.stiffness_unknown = true;
+  if (remade) row.law = remade;
   row.parameters = values;
 }
 
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by) {
   require_unlocked(world, "replace_law");
+  for (const auto& one : {law, by}) require_law("replace_law", one);
+  const bool alike = is_pair(*law) ? is_pair(*by) : law->kind == by->kind;
+  require(alike && ends_of(*law) == ends_of(*by), "replace_law: a ", kind_name(law->kind), " law of ", ends_of(*law),
+          " particles, got a ", kind_name(by->kind), " law of ", ends_of(*by), " for it");
+  require(law->parameters.size() == by->parameters.size(), "replace_law: the law has ", law->parameters.size(),
+          " parameters, got one of ", by->parameters.size(), " for it");
   disturb_forces(world);
   world.stiffness_unknown = true;
   const auto replace = [](auto& rows, const auto& old, const auto& now) {

@@ -47,6 +47,8 @@ void put_bodies_in_plane(World& world) {
 
 void set_plane(World& world, Plane plane) {
   require_unlocked(world, "plane");
+  require(plane.normal >= -1 && plane.normal < static_cast<int>(plane_names.size()),
+          "plane: its normal must be an axis, 0 to 2, or -1 for none, got ", plane.normal);
   if (plane.normal == world.plane.normal) return;
   require(!world.plane.flat(), "plane: it is \"",
           plane_names[static_cast<std::size_t>(std::max(world.plane.normal, 0))],

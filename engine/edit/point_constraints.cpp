@@ -42,6 +42,7 @@ ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, doubl
 }
 
 ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
+  require(def.hand >= -1, "follow: hand must be the number of one, or -1 for none, got ", def.hand);
   Constraint c;
   c.kind = ConstraintKind::follow;
   c.a = point;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.hpp"
 #include "laws/spline.hpp"
 
 namespace pantin {
@@ -110,7 +111,12 @@ class Expressions {
   /// product of node to the power of exponent
   Expr product(const Terms& terms);
 
-  const Node& operator[](Expr e) const { return nodes_[static_cast<std::size_t>(e)]; }
+  bool has(Expr e) const { return e >= 0 && static_cast<std::size_t>(e) < nodes_.size(); }
+  /// Throws Error where there is none of that number.
+  const Node& operator[](Expr e) const {
+    require(has(e), "there is no expression ", e, " in this graph");
+    return nodes_[static_cast<std::size_t>(e)];
+  }
   std::size_t size() const { return nodes_.size(); }
   const std::vector<Input>& inputs() const { return inputs_; }
   const std::vector<std::shared_ptr<const Spline>>& splines() const { return splines_; }

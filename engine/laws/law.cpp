@@ -39,13 +39,18 @@ struct Sort {
   std::vector<Role> seen;  // beside attributes, parameters and time
 };
 
+constexpr int most_excluded = 8;  // more are looked for in a time that grows with their power
+
 // A law without its expressions, when these depend on nothing that they must not.
 Law start(const LawDef& def, const Sort& sort, const Expressions& graph, std::span<const Expr> expressions) {
-  for (Expr e : expressions)
+  for (Expr e : expressions) {
+    require(graph.has(e), def.name, ": there is no expression ", e, " in its graph");
     require(!graph.is_constant(e) || std::isfinite(graph[e].value), def.name, ": ", sort.name,
             " must be a finite number, and this is always ", graph[e].value);
+  }
   require(def.cutoff > 0.0, def.name, ": the cutoff must be > 0 m, got ", def.cutoff);
-  require(def.exclude >= 0, def.name, ": exclude must be a number of connections >= 0, got ", def.exclude);
+  require(def.exclude >= 0 && def.exclude <= most_excluded, def.name,
+          ": exclude must be a number of connections from 0 to ", most_excluded, ", got ", def.exclude);
   Law law;
   law.name = def.name;
   law.kind = sort.kind;
@@ -81,6 +86,10 @@ Law in_order(Law law) {
   outputs.resize(law.force.size());
   law.force = std::move(outputs);
   return law;
+}
+
+void require_components(const LawDef& def, std::span<const Expr> force) {
+  require(force.size() == 3, def.name, ": a force has 3 components, got ", force.size());
 }
 
 std::vector<Input> positions(int who) {
@@ -134,7 +143,7 @@ Law central_tension(const LawDef& def, const Expressions& graph, Expr tension) {
 }
 
 Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force_on_a) {
-  assume(force_on_a.size() == 3);
+  require_components(def, force_on_a);
   const Sort sort{"the force of a pair",
                   LawKind::pair,
                   2,
@@ -152,7 +161,7 @@ Law point_potential(const LawDef& def, const Expressions& graph, Expr potential)
 }
 
 Law point_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force) {
-  assume(force.size() == 3);
+  require_components(def, force);
   const Sort sort{"the force on a particle", LawKind::point, 1, {Role::position, Role::velocity, Role::noise}};
   Law law = start(def, sort, graph, force);
   law.force.assign(force.begin(), force.end());
@@ -161,6 +170,8 @@ Law point_force(const LawDef& def, const Expressions& graph, std::span<const Exp
 }
 
 Law many_potential(const LawDef& def, int count, const Expressions& graph, Expr potential) {
+  constexpr int most = 4;
+  require(count >= 1 && count <= most, def.name, ": a law is of 1 to ", most, " particles, got ", count);
   const Sort sort{"a potential of several particles", LawKind::many, count, {Role::position}};
   Law law = start(def, sort, graph, {&potential, 1});
   set_force_from_potential(law, potential);

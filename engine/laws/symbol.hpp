@@ -2,6 +2,7 @@
 // Expressions written as formulas.
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 
 #include "laws/expression.hpp"
 
@@ -13,27 +14,38 @@ struct Symbol {
   Expr e = no_expression;
 };
 
-inline Symbol operator+(Symbol a, Symbol b) { return {a.graph, a.graph->add(a.e, b.e)}; }
-inline Symbol operator-(Symbol a, Symbol b) { return {a.graph, a.graph->subtract(a.e, b.e)}; }
-inline Symbol operator*(Symbol a, Symbol b) { return {a.graph, a.graph->multiply(a.e, b.e)}; }
-inline Symbol operator/(Symbol a, Symbol b) { return {a.graph, a.graph->divide(a.e, b.e)}; }
-inline Symbol operator*(double a, Symbol b) { return {b.graph, b.graph->scale(b.e, a)}; }
+/// The graph of symbols that are put together. Throws Error where they have none, or not the same one.
+inline Expressions& graph_of(std::initializer_list<Symbol> symbols) {
+  Expressions* graph = symbols.begin()->graph;
+  for (const Symbol& symbol : symbols) {
+    require(symbol.graph && symbol.graph->has(symbol.e),
+            "a symbol has no expression; Symbol{&graph, graph.input(…)} has one");
+    require(symbol.graph == graph, "symbols of two graphs cannot be put together");
+  }
+  return *graph;
+}
+
+inline Symbol operator+(Symbol a, Symbol b) { return {a.graph, graph_of({a, b}).add(a.e, b.e)}; }
+inline Symbol operator-(Symbol a, Symbol b) { return {a.graph, graph_of({a, b}).subtract(a.e, b.e)}; }
+inline Symbol operator*(Symbol a, Symbol b) { return {a.graph, graph_of({a, b}).multiply(a.e, b.e)}; }
+inline Symbol operator/(Symbol a, Symbol b) { return {a.graph, graph_of({a, b}).divide(a.e, b.e)}; }
+inline Symbol operator*(double a, Symbol b) { return {b.graph, graph_of({b}).scale(b.e, a)}; }
 inline Symbol operator*(Symbol a, double b) { return b * a; }
 inline Symbol operator-(Symbol a) { return -1.0 * a; }
-inline Symbol number(Symbol like, double value) { return {like.graph, like.graph->constant(value)}; }
+inline Symbol number(Symbol like, double value) { return {like.graph, graph_of({like}).constant(value)}; }
 inline Symbol operator+(Symbol a, double b) { return a + number(a, b); }
 inline Symbol operator-(Symbol a, double b) { return a + number(a, -b); }
 inline Symbol operator-(double a, Symbol b) { return number(b, a) - b; }
 
-inline Symbol pow(Symbol a, double exponent) { return {a.graph, a.graph->power(a.e, exponent)}; }
+inline Symbol pow(Symbol a, double exponent) { return {a.graph, graph_of({a}).power(a.e, exponent)}; }
 inline Symbol sqrt(Symbol a) { return pow(a, 0.5); }
-inline Symbol apply(Function f, Symbol a) { return {a.graph, a.graph->apply(f, a.e)}; }
-inline Symbol apply(Function f, Symbol a, Symbol b) { return {a.graph, a.graph->apply(f, a.e, b.e)}; }
+inline Symbol apply(Function f, Symbol a) { return {a.graph, graph_of({a}).apply(f, a.e)}; }
+inline Symbol apply(Function f, Symbol a, Symbol b) { return {a.graph, graph_of({a, b}).apply(f, a.e, b.e)}; }
 inline Symbol max(Symbol a, double b) { return apply(Function::maximum, a, number(a, b)); }
 inline Symbol min(Symbol a, Symbol b) { return apply(Function::minimum, a, b); }
 /// `yes` where a < b, else `no`
 inline Symbol where_less(Symbol a, Symbol b, Symbol yes, Symbol no) {
-  return {a.graph, a.graph->select(apply(Function::less, a, b).e, yes.e, no.e)};
+  return {a.graph, graph_of({a, b, yes, no}).select(apply(Function::less, a, b).e, yes.e, no.e)};
 }
 
 using Symbols3 = std::array<Symbol, 3>;

@@ -9,15 +9,35 @@
 #include "edit/common.hpp"
 #include "forces/forces.hpp"
 #include "forces/solved.hpp"
+#include "snapshot/world_state.hpp"
 
 namespace pantin {
 
 struct Snapshot::Held {
+  std::uint64_t world = 0;  // its number
   WorldData data;
   std::vector<Articulate> articulates;
   std::optional<Forces> forces;
   ShapesThen shapes;
+
+  void put(World& world) const;
 };
+
+void Snapshot::Held::put(World& world) const {
+  static_cast<WorldData&>(world) = data;
+  put_back(world.contact_finder, world, shapes);
+  world.articulates.resize(articulates.size());
+  for (std::size_t i = 0; i < articulates.size(); i++)
+    if (world.articulates[i])
+      *world.articulates[i] = articulates[i];
+    else
+      world.articulates[i] = std::make_unique<Articulate>(articulates[i]);
+  world.forces = forces ? std::make_unique<Forces>(*forces) : nullptr;
+  const bool found_anew = world.topology_changed || world.force_elements_changed;
+  if (found_anew) return;
+  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
+  for (std::size_t i = 0; i < articulates.size(); i++) world.articulates[i]->rest = articulates[i].rest;
+}
 
 namespace {
 
@@ -43,8 +63,13 @@ constexpr const char* advice = "), which cannot be wound back";
 
 }  // namespace
 
-double Snapshot::time() const { return held_->data.time; }
-std::uint64_t Snapshot::steps() const { return held_->data.steps; }
+const Snapshot::Held& Snapshot::held() const {
+  require(held_ != nullptr, "snapshot: it is empty; take_snapshot(world) makes one");
+  return *held_;
+}
+
+double Snapshot::time() const { return held().data.time; }
+std::uint64_t Snapshot::steps() const { return held().data.steps; }
 
 Snapshot take_snapshot(const World& world) {
   Snapshot snapshot;
@@ -53,8 +78,10 @@ Snapshot take_snapshot(const World& world) {
 }
 
 void take_snapshot(const World& world, Snapshot& into) {
+  require(!world.locked, "snapshot: none can be taken while the world steps; take it in an event or a step callback");
   if (!into.held_ || into.held_.use_count() > 1) into.held_ = std::make_shared<Snapshot::Held>();
   Snapshot::Held& held = *into.held_;
+  held.world = world.number;
   held.data = world;
   held.articulates.resize(world.articulates.size());
   for (std::size_t i = 0; i < held.articulates.size(); i++) held.articulates[i] = *world.articulates[i];
@@ -71,6 +98,8 @@ std::string why_not_restore(const World& world) {
 }
 
 std::string why_not_restore(const World& world, const Snapshot& snapshot) {
+  if (!snapshot.held_) return "the snapshot is empty";
+  if (snapshot.held_->world != world.number) return "the snapshot is of another world";
   const std::string now = why_not_restore(world);
   if (!now.empty()) return now;
   const Event* then = play_in(snapshot.held_->data);
@@ -79,23 +108,25 @@ std::string why_not_restore(const World& world, const Snapshot& snapshot) {
 
 void restore(World& world, const Snapshot& snapshot) {
   internal::require_unlocked(world, "restore");
+  require(!world.stepping, "restore: a step is under way; restore between two steps");
   const std::string why = why_not_restore(world, snapshot);
   require(why.empty(), "restore: ", why);
   const Snapshot::Held& held = *snapshot.held_;
   tell_events(world.choreography.events, held.data.choreography.events);
-  static_cast<WorldData&>(world) = held.data;
-  put_back(world.contact_finder, world, held.shapes);
-  world.articulates.resize(held.articulates.size());
-  for (std::size_t i = 0; i < held.articulates.size(); i++)
-    if (world.articulates[i])
-      *world.articulates[i] = held.articulates[i];
-    else
-      world.articulates[i] = std::make_unique<Articulate>(held.articulates[i]);
-  world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
-  const bool found_anew = world.topology_changed || world.force_elements_changed;
-  if (found_anew) return;
-  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
-  for (std::size_t i = 0; i < held.articulates.size(); i++) world.articulates[i]->rest = held.articulates[i].rest;
+  held.put(world);
+}
+
+void visit_snapshot(Writer& to, const Snapshot& snapshot) {
+  World world;
+  snapshot.held().put(world);
+  visit_world(to, world);
+}
+
+void visit_snapshot(Reader& from, Snapshot& snapshot, const World& of) {
+  World world;
+  visit_world(from, world);
+  take_snapshot(world, snapshot);
+  snapshot.held_->world = of.number;
 }
 
 }  // namespace pantin

@@ -8,19 +8,25 @@
 
 namespace pantin {
 
+class Reader;
+class Writer;
+
 /// A copy of all rows, unknown forces, predictions, neighbour rows, events, counters, random numbers and the log. Functions
 /// that rows hold (targets, actions, probes) are copied as values; what they refer to is not.
 class Snapshot {
  public:
-  double time() const;          ///< [s]
-  std::uint64_t steps() const;  ///< done
+  double time() const;          ///< [s]; throws Error where nothing was taken
+  std::uint64_t steps() const;  ///< done; the same
 
  private:
   struct Held;
   std::shared_ptr<Held> held_;
+  const Held& held() const;
   friend Snapshot take_snapshot(const World& world);
   friend void take_snapshot(const World& world, Snapshot& into);
   friend void restore(World& world, const Snapshot& snapshot);
+  friend void visit_snapshot(Writer& to, const Snapshot& snapshot);
+  friend void visit_snapshot(Reader& from, Snapshot& snapshot, const World& of);
   friend std::string why_not_restore(const World& world, const Snapshot& snapshot);
 };
 
@@ -29,12 +35,13 @@ Snapshot take_snapshot(const World& world);
 /// The same into a snapshot that is no longer wanted: where no copy of it is left, its memory is used again, which is faster.
 void take_snapshot(const World& world, Snapshot& into);
 
-/// Between two steps. Of the same world: handles of what was removed since are alive again; handles of what was made since
-/// are dead, for ever. Handles of events are told how their events now are. Threads, callbacks and the profile stay as
-/// they are. Throws Error where `why_not_restore` gives a reason.
+/// Between two steps. Of the same world, which functions and laws of its rows may refer to: handles of what was removed since
+/// are alive again; handles of what was made since are dead, for ever. Handles of events are told how their events now are.
+/// Threads, callbacks and the profile stay as they are. Throws Error where `why_not_restore` gives a reason.
 void restore(World& world, const Snapshot& snapshot);
 
-/// Why a world cannot be put back: a play goes on, now or in the snapshot, and cannot be wound back. Empty where it can.
+/// Why a world cannot be put back: a play goes on, now or in the snapshot, and cannot be wound back; or the snapshot is of
+/// another world, or empty. Empty where it can.
 std::string why_not_restore(const World& world, const Snapshot& snapshot);
 /// The same before a snapshot is known: a play goes on now.
 std::string why_not_restore(const World& world);

@@ -7,11 +7,33 @@
 #include "step/phases.hpp"
 #include "step/reject.hpp"
 #include "step/touch.hpp"
+#include "world/checks.hpp"
 
 namespace pantin {
 
+namespace {
+
+/// No step, and no restore, may be begun in its scope.
+class Stepping {
+ public:
+  explicit Stepping(World& world) : world_(world) {
+    require(!world.stepping && !world.locked, "step: a step is under way; the next can be made when it is done");
+    world_.stepping = true;
+  }
+  ~Stepping() { world_.stepping = false; }
+  Stepping(const Stepping&) = delete;
+  Stepping& operator=(const Stepping&) = delete;
+
+ private:
+  World& world_;
+};
+
+}  // namespace
+
 void step(World& world) {
+  const Stepping stepping(world);
   if (!world.failure.empty()) return;
+  internal::check_settings(world.settings);
   world.profile.begin();
   phases::begin_step(world);
   phases::fire_events(world);
@@ -47,6 +69,8 @@ void step(World& world) {
 }
 
 void advance(World& world, double until) {
+  internal::require_finite("advance", "until", until, "s");
+  internal::check_settings(world.settings);
   while (world.failure.empty() && world.time < until - 0.5 * world.settings.step) step(world);
 }
 

@@ -1,4 +1,6 @@
 // Here, since what a world owns is known whole only to the step.
+#include <atomic>
+
 #include "articulates/solve/sub_steps.hpp"
 #include "base/parallel.hpp"
 #include "contacts/find.hpp"
@@ -10,7 +12,11 @@
 
 namespace pantin {
 
-World::World() : workers(std::make_unique<Workers>()) {}
+namespace {
+std::atomic<std::uint64_t> worlds_made{0};
+}  // namespace
+
+World::World() : number(++worlds_made), workers(std::make_unique<Workers>()) {}
 World::~World() = default;
 
 }  // namespace pantin

@@ -10,6 +10,28 @@ void require_unlocked(const World& world, std::string_view call) {
   require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
 }
 
+void require_step(double step) {
+  constexpr double least = 1e-18;  // [s] no run of less comes anywhere
+  require_positive("scene", "step", step, "s");
+  require(step >= least, "scene: step must be at least 1e-18 s, got ", step);
+}
+
+void require_integrator(Integrator integrator) {
+  require(!name_of(integrator).empty(), "scene: there is no integrator ", static_cast<int>(integrator));
+}
+
+void check_settings(const Settings& settings) {
+  require_step(settings.step);
+  require_finite("scene", "gravity", settings.gravity, "m/s²");
+  require_integrator(settings.integrator);
+  require(static_cast<std::size_t>(settings.contact) < contact_search_names.size(),
+          "scene: there is no contact search ", static_cast<int>(settings.contact));
+  if (settings.accuracy) require_positive("scene", "accuracy", *settings.accuracy, "1/s");
+  for (int i = 0; settings.box && i < 3; i++) require_positive("scene", "box", (*settings.box)[i], "m");
+  require_positive("scene", "tolerance", settings.tolerance, "");
+  require_positive("scene", "boltzmann", settings.boltzmann, "J/K");
+}
+
 void require_inertia(std::string_view call, const Mat3& inertia) {
   double most = 0.0, skew = 0.0;
   for (int i = 0; i < 3; i++) {

@@ -228,6 +228,8 @@ struct World : WorldData {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  const std::uint64_t number;                                   ///< of this world, in this process: that of no other
+  bool stepping = false;                                        ///< a step is under way, and what it calls
   std::vector<std::unique_ptr<Articulate>> articulates;         ///< in the order of their smallest serial
   std::unique_ptr<ContactFinder> contact_finder;                ///< null where there is no shape
   std::unique_ptr<TouchSpace> touch_space;                      ///< the same

@@ -111,8 +111,9 @@ void Player::listen() {
 }
 
 void Player::take(const Packet& packet) {
+  if (packet.known > inputs_[own_].size() || packet.checked > frames_) return;  // it is of another game
   for (std::uint32_t i = 0; i < packet.count && i < most_sent; i++)
-    if (packet.first + i == known()) inputs_[1 - own_].push_back(packet.inputs[i]);
+    if (packet.first + i == known() && known() < frames_) inputs_[1 - own_].push_back(packet.inputs[i]);
   other_knows_ = std::max(other_knows_, packet.known);
   if (packet.checked >= other_checked_.first) other_checked_ = {packet.checked, packet.hash};
   other_done_ = other_done_ || packet.done != 0;
@@ -164,8 +165,12 @@ int main(int argc, char** argv) {
   if (argc < 4)
     return std::fprintf(stderr, "usage: %s PLAYER OWN_PORT OTHER_PORT [FRAMES [DELAY [LOSS]]]\n", argv[0]), 2;
   const auto number = [&](int i, double usual) { return i < argc ? std::strtod(argv[i], nullptr) : usual; };
-  const auto port = [&](int i) { return static_cast<std::uint16_t>(number(i, 0)); };
+  const auto port = [&](int i) {
+    if (!(number(i, 0) >= 1 && number(i, 0) < 65536)) throw std::runtime_error("a port is 1 … 65535");
+    return static_cast<std::uint16_t>(number(i, 0));
+  };
   try {
+    if (!(number(4, 600) >= 1 && number(4, 600) <= 1e6)) throw std::runtime_error("FRAMES is 1 … 1000000");
     rollback::Link link(port(2), port(3), {number(5, 0.05), number(6, 0.1)});
     rollback::Player player(number(1, 0) == 0.0 ? 0 : 1, static_cast<std::uint32_t>(number(4, 600)), link);
     player.play();

@@ -1425,7 +1425,7 @@ function Scene:restore(snapshot) end
 ---scene:button("from the start", function() scene:reset() end)
 ---```
 function Scene:reset() end
----Goes back by a time to a state that scene.history has kept, once the step is done, as restore does.
+---Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. A state in a file has no history: there it is kept anew.
 ---```lua
 ---scene.history = 3
 ---scene:on("key", "z", function() scene:rewind(2) end)

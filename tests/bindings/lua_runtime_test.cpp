@@ -38,6 +38,19 @@ TEST_CASE("a script that does not come back is stopped with its line") {
                 "while true do end"),
         Contains(stopped));
   }
+  SECTION("nor can what a coroutine closes when it was stopped") {
+    const std::string closing =
+        "local function f() local x <close> = setmetatable({}, { __close = function() while true do end end }) "
+        "while true do end end\n";
+    CHECK_THAT(failure(closing + "coroutine.wrap(f)()"), Contains(stopped));
+    CHECK_THAT(failure(closing + "pcall(coroutine.wrap(f))"), Contains(stopped));
+    const auto scene =
+        open(closing +
+             "local co = coroutine.create(f) scene:on('step', function()\n"
+             "if coroutine.status(co) == 'dead' then coroutine.close(co) else coroutine.resume(co) end end)");
+    CHECK_THROWS_WITH(scene->step(), Contains(stopped));
+    CHECK_THROWS_WITH(scene->step(), "scene.lua:3: close: the coroutine was stopped");
+  }
   SECTION("nor can one long call of a library's function") {
     const char* const calls[] = {"s:find('.-.-.-b')",
                                  "s:match('.-.-.-b')",
@@ -57,6 +70,7 @@ TEST_CASE("a script that does not come back is stopped with its line") {
                         "scene.lua:2: the script did not come back within 0.03 s and was stopped (--script-limit)");
     CHECK(failure("assert(string.rep('', 1e15) == '')") == "");
     CHECK_THAT(failure("string.format('%99999d', 1)"), StartsWith("scene.lua:1: invalid conversion"));
+    CHECK(failure("string.format(('%d'):rep(10001))") == "scene.lua:1: format: at most 10000 values at once");
   }
   SECTION("0 is no limit, and time in many short calls does not add up") {
     auto o = options();
@@ -116,7 +130,9 @@ TEST_CASE("a script that has a library do much at once is stopped in time") {
       "local s = ('x'):rep(60 << 20) while true do pcall(string.gsub, ('a'):rep(15), 'a', s) end",
       "local s = ('x'):rep(60 << 20) while true do pcall(string.gsub, s, '^.*$', ('%0'):rep(15)) end",
       "local s = ('x'):rep(60 << 20) while true do pcall(string.find, s, ('('):rep(15) .. '.*' .. (')'):rep(15)) end",
-      "local t = {} for i = 1, 1e5 do t[i + 0.5] = true end while true do for i = 1, 20 do pcall(pairs, t) end end"};
+      "local t = {} for i = 1, 1e5 do t[i + 0.5] = true end while true do for i = 1, 20 do pcall(pairs, t) end end",
+      "table.sort(setmetatable({}, { __len = function() return 10000000 end, __index = type, __newindex = rawequal }))",
+      "local t = {} for i = 1, 3e6 do t[i] = i end error(t)"};
   for (const char* call : calls) {
     INFO(call);
     CHECK(seconds_until_stopped(call) < 0.6);
@@ -196,6 +212,9 @@ TEST_CASE("a script that makes a string longer than 64 MiB is stopped, so that n
                     "scene.lua:2: format: %s is of at most 64 MiB in all");
   CHECK_THROWS_WITH(tried("local s = ('a'):rep(3 << 20)\nlocal t = ('%q%q'):format(s, s)"),
                     "scene.lua:2: format: %q is of at most 4 MiB in all");
+  CHECK_THROWS_WITH(tried("\nstring.pack('c2000000000', '')"),
+                    "scene.lua:2: pack: strings are of at most 64 MiB in all");
+  CHECK_NOTHROW(tried("assert(string.pack('c4zi1', 'ab', 'c', 7) == 'ab\\0\\0c\\0\\7')"));
   CHECK_NOTHROW(tried("local parts, s = {}, ('a'):rep(60 << 20)\nfor i = 1, 8 do parts[i] = s .. i end"));
   CHECK_NOTHROW(
       tried("local ok, why = pcall(string.rep, 'x', 65 << 20) assert(not ok and why == 'not enough memory')"));
@@ -214,6 +233,20 @@ TEST_CASE("a script that calls itself for ever is stopped") {
 
 TEST_CASE("an error's text is told beyond a byte of zero") {
   CHECK(failure("error 'abc\\0def'") == "scene.lua:1: abc\\x00def");
+  CHECK(failure("error { 'abc\\0def' }") == "scene.lua:1: error: { [1] = \"abc\\x00def\" }");
+  CHECK(failure("error(('\\0'):rep(200000))").size() == std::string("scene.lua:1: ").size() + 4 * 200000);
+  CHECK(failure("read_table 'a\\0b'") == "scene.lua:1: read_table: argument 1, the file, must have no byte of zero");
+}
+
+TEST_CASE("an error of a built-in function that a scene gives has the line where it was given") {
+  CHECK_THAT(failure("local a = scene:box { size = 1, points = { p = vec(0, 0, 0) } }\n"
+                     "local b = scene:box { size = 1, at = vec(0, 3, 0), points = { p = vec(0, 0, 0) } }\n"
+                     "scene:screw(a.p, b.p, { lead = print, axis = vec(0, 1, 0) })"),
+             StartsWith("scene.lua:3: screw: lead: "));
+}
+
+TEST_CASE("a name that is far longer than any is told without a guess") {
+  CHECK_THAT(failure("local _ = scene[('x'):rep(1000000)]"), StartsWith("scene.lua:1: scene: ") && !Contains("mean"));
 }
 
 TEST_CASE("a script that is nested too deeply to be read is told by its file") {

@@ -45,6 +45,17 @@ TEST_CASE("program: Ctrl-C ends with what there is") {
   CHECK_THAT(process.err(), Contains("stopped at"));
 }
 
+TEST_CASE("program: Ctrl-C before the state was saved is a failure") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing + std::string("scene:at(0.1, function() print('swings') end)"));
+  Process process(options({"run", "swing.lua", "--until", "1e6", "--save-at", "9e5", "--out", "a.csv"}, folder.path));
+  REQUIRE(says(process, "swings"));
+  process.signal(SIGINT);
+  REQUIRE(process.wait(patience) == 1);
+  CHECK_THAT(process.err(), Contains("before the state was to be saved at 9e+05"));
+  CHECK(folder.files() == std::vector<std::string>{"a.csv", "swing.lua"});
+}
+
 TEST_CASE("program: a terminal that goes away ends it with what there is, and SIGQUIT leaves nothing half written") {
   Folder folder;
   write_file(folder / "swing.lua", swing + std::string("scene:at(0.1, function() print('swings') end)"));

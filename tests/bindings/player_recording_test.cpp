@@ -1,4 +1,5 @@
 // Recordings, driven by a script instead of a person, and played again.
+#include <sys/stat.h>
 #include <catch2/catch.hpp>
 
 #include "bindings/recorded_person.hpp"
@@ -293,6 +294,8 @@ TEST_CASE("recording: another version and what is none are told") {
   CHECK_THROWS_WITH(player::read_recording(folder / "nowhere"), Contains("there is no such file"));
   write_file(folder / "text", "hello\n");
   CHECK_THROWS_WITH(player::read_recording(folder / "text"), Contains("text:1: this is no recording"));
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  CHECK_THROWS_WITH(player::read_recording(folder / "pipe"), Contains("no file that can be replayed"));
   write_file(folder / "next", "{\"pantin\":4}\n");
   CHECK_THROWS_WITH(player::read_recording(folder / "next"), Contains("it has the format 4"));
 }

@@ -47,3 +47,15 @@ TEST_CASE("recording: a minute of anything in shipped scenes are played again to
   play_and_check({"bridge", 10}, 3);
   for (const char* name : {"cloth", "membrane"}) play_and_check({name, 5}, 4);
 }
+
+TEST_CASE("recording: what is no line of one is told in plain words") {
+  const support::Folder folder;
+  const auto told = [&](const std::string& line) {
+    support::write_file(folder / "text", line);
+    return player::read_recording(folder / "text");
+  };
+  const std::string at = folder / "text" + std::string(":1: this is no recording that can be replayed: ");
+  CHECK_THROWS_WITH(told("hello\n"), at + "the line is no JSON");
+  CHECK_THROWS_WITH(told("{}\n"), at + "key 'pantin' not found");
+  CHECK_THROWS_WITH(told(R"({"pantin":3,"version":1})"), at + "type must be string, but is number");
+}

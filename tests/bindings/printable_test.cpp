@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/program_support.hpp"
+#include "player/svg.hpp"
 
 using namespace pantin::support;
 using Catch::Contains;
@@ -36,8 +37,13 @@ TEST_CASE("printable: what turns the direction of reading or separates lines is 
 }
 
 TEST_CASE("printable: letters written too long, halves of pairs and what is beyond all letters are no UTF-8") {
-  for (const char* bytes : {"\xe0\x80\x80", "\xf0\x80\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
+  for (const char* bytes :
+       {"\xef\xbf\xbe", "\xef\xbf\xbf", "\xe0\x80\x80", "\xf0\x80\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80"})
     CHECK_THAT(printable(bytes), Catch::StartsWith("\\x") && !Contains(bytes));
+}
+
+TEST_CASE("printable: a picture's texts are XML whatever bytes they have") {
+  CHECK(pantin::player::svg_escaped("p\x1b[32m <\xff> & q") == "p\\x1b[32m &lt;\\xff&gt; &amp; q");
 }
 
 TEST_CASE("printable: nothing that a scene, a test or an option says reaches the terminal raw") {

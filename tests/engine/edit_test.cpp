@@ -295,3 +295,17 @@ TEST_CASE("a step's length changes from the present time on") {
   CHECK_THROWS_WITH(set_step(world, 0), Contains("step must be > 0 s"));
   CHECK_THROWS_WITH(set_step(world, not_a_number), Contains("step must be > 0 s"));
 }
+
+TEST_CASE("an integrator, a plane or a hand that there is not is an error") {
+  Two t;
+  CHECK_THROWS_WITH(set_integrator(t.world, static_cast<Integrator>(99)), "scene: there is no integrator 99");
+  CHECK(t.world.settings.integrator == Integrator::verlet);
+  for (const int normal : {99, 3, -2})
+    CHECK_THROWS_WITH(set_plane(t.world, Plane{normal}), Contains("its normal must be an axis, 0 to 2"));
+  CHECK_FALSE(t.world.plane.flat());
+  FollowDef follow;
+  follow.hand = -5;
+  CHECK_THROWS_WITH(add_follow(t.world, t.world.bodies[t.b].points[1], follow),
+                    "follow: hand must be the number of one, or -1 for none, got -5");
+  CHECK(t.world.constraints.empty());
+}

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "laws/symbol.hpp"
+
 using namespace pantin;
 
 namespace {
@@ -123,4 +125,21 @@ TEST_CASE("a spline goes through its points and is smooth") {
   CHECK(spline.evaluate(3.5, 2) == Approx(0.0).margin(1e-12));
   CHECK_THROWS_WITH(Spline(std::vector{1.0, 1.0}, std::vector{0.0, 2.0}), Catch::Contains("must rise"));
   CHECK_THROWS_WITH(Spline(std::vector{1.0}, std::vector{0.0}), Catch::Contains("at least two points"));
+}
+
+TEST_CASE("symbols without an expression, or of two graphs, are not put together") {
+  using Catch::Contains;
+  Expressions one, two;
+  const Symbol a{&one, one.input({Role::distance2, 0, 0, {}})}, b{&two, two.input({Role::distance2, 0, 0, {}})};
+  for (const Symbol& none : {Symbol{}, Symbol{&one, no_expression}, Symbol{&one, 12345}}) {
+    CHECK_THROWS_WITH(none * 2.0, Contains("a symbol has no expression"));
+    CHECK_THROWS_WITH(a + none, Contains("a symbol has no expression"));
+    CHECK_THROWS_WITH(1.0 - none, Contains("a symbol has no expression"));
+    CHECK_THROWS_WITH(sqrt(none), Contains("a symbol has no expression"));
+    CHECK_THROWS_WITH(apply(Function::exp, none), Contains("a symbol has no expression"));
+  }
+  CHECK_THROWS_WITH(a + b, "symbols of two graphs cannot be put together");
+  CHECK_THROWS_WITH(where_less(a, a, a, b), "symbols of two graphs cannot be put together");
+  CHECK_THROWS_WITH(one.add(a.e, 12345), "there is no expression 12345 in this graph");
+  CHECK_THROWS_WITH(one.power(no_expression, 2.0), "there is no expression -1 in this graph");
 }

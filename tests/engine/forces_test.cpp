@@ -3,7 +3,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "edit/edit.hpp"
 #include "laws/library.hpp"
@@ -318,4 +322,54 @@ TEST_CASE("forces: the present ones are told at any time, before the first step 
   check(0.5);
   for (int i = 0; i < 10; i++) step(world);
   check(norm(position(world, b) - position(world, a)));
+}
+
+TEST_CASE("forces: no law, an empty one, one of another kind and a parameter that there is not are refused") {
+  using Catch::Contains;
+  World world;
+  FamilyDef stars;
+  stars.name = "stars";
+  const FamilyId family = add_family(world, stars);
+  std::vector<ParticleId> ids;
+  for (int i = 0; i < 3; i++) {
+    ParticleDef def;
+    def.at = vec(i, 0.1 * i, 0);
+    def.family = family;
+    ids.push_back(add_particle(world, def));
+  }
+  const auto law_of = [](const char* name, const std::map<std::string, double>& numbers) {
+    LawArguments arguments;
+    arguments.numbers = numbers;
+    return std::make_shared<const Law>(make_library_law(name, arguments)[0]);
+  };
+  const auto pair = law_of("lennard_jones", {{"epsilon", 1.0}, {"sigma", 1.0}}),
+             angle = law_of("angle", {{"stiffness", 1.0}, {"angle", 2.0}});
+  auto beyond = std::make_shared<Law>(*pair);
+  beyond->force = {12345};
+  auto crowd = std::make_shared<Law>(*angle);
+  crowd->count = 99;
+  ConnectionDef tie;
+  tie.ends = {{ids[0], zero3()}, {ids[1], zero3()}};
+  const InteractionId interaction = add_interaction(world, pair, family, family);
+  step(world);
+  const std::uint64_t before = state_hash(world);
+  const std::vector<std::shared_ptr<const Law>> wrong = {nullptr, std::make_shared<Law>(), beyond, crowd};
+  for (const auto& law : wrong) {
+    CHECK_THROWS_AS(add_interaction(world, law, family, family), Error);
+    CHECK_THROWS_AS(add_connection(world, law, tie), Error);
+    CHECK_THROWS_AS(add_field(world, law, {}), Error);
+    CHECK_THROWS_AS(replace_law(world, pair, law), Error);
+    CHECK_THROWS_AS(replace_law(world, law, pair), Error);
+  }
+  CHECK_THROWS_WITH(add_field(world, nullptr, {}), "field: a law is needed, got none");
+  CHECK_THROWS_WITH(replace_law(world, pair, angle), Contains("a pair law of 2 particles, got a many law of 3 for it"));
+  CHECK_THROWS_WITH(replace_law(world, pair, gravitation(1.0)),
+                    Contains("the law has 2 parameters, got one of 0 for it"));
+  CHECK_THROWS_WITH(set_parameter(world, interaction, 99, 1.0), Contains("got the index 99"));
+  CHECK_THROWS_AS(set_parameter(world, interaction, 0, -std::numeric_limits<double>::infinity()), Error);
+  CHECK_THROWS_AS(set_parameter(world, InteractionId{}, 0, 1.0), Error);
+  CHECK_THROWS_AS(set_enabled(world, ForceElementId(InteractionId{}), false), Error);
+  CHECK_FALSE(world.force_elements_changed);
+  CHECK(state_hash(world) == before);
+  CHECK_NOTHROW(replace_law(world, pair, spring(1.0, 1.0)));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "laws/symbol.hpp"
 #include "support/law_state.hpp"
@@ -122,4 +124,24 @@ TEST_CASE("law: one that is never a finite number is refused") {
   LawDef def;
   def.name = "scene.lua:3";
   CHECK_THROWS_WITH(central_potential(def, g, nothing), Catch::Contains("must be a finite number"));
+}
+
+TEST_CASE("law: one of expressions that are not in its graph, or of another number of them, is refused") {
+  using Catch::Contains;
+  Pair p;
+  const LawDef def{.name = "mine", .parameters = {}};
+  const std::string says = "mine: there is no expression ";
+  for (const Expr none : {Expr{12345}, no_expression}) {
+    CHECK_THROWS_WITH(central_potential(def, p, none), Contains(says));
+    CHECK_THROWS_WITH(central_tension(def, p, none), Contains(says));
+    CHECK_THROWS_WITH(point_potential(def, p, none), Contains(says));
+    CHECK_THROWS_WITH(many_potential(def, 3, p, none), Contains(says));
+    CHECK_THROWS_WITH(pair_force(def, p, std::vector<Expr>{p.r2.e, none, p.r2.e}), Contains(says));
+    CHECK_THROWS_WITH(point_force(def, p, std::vector<Expr>{p.x.e, p.x.e, none}), Contains(says));
+  }
+  CHECK_THROWS_WITH(pair_force(def, p, std::vector<Expr>{p.r2.e}), "mine: a force has 3 components, got 1");
+  CHECK_THROWS_WITH(point_force(def, p, {}), "mine: a force has 3 components, got 0");
+  CHECK_THROWS_WITH(many_potential(def, 5, p, p.x.e), "mine: a law is of 1 to 4 particles, got 5");
+  CHECK_THROWS_WITH(central_potential({.name = "mine", .exclude = 99, .parameters = {}}, p, p.r2.e),
+                    Contains("exclude must be a number of connections from 0 to 8, got 99"));
 }

@@ -319,3 +319,43 @@ TEST_CASE("snapshot: a world that failed goes on from before") {
   restore(world, snapshot);
   CHECK(hashes(world, 5) == first);
 }
+
+TEST_CASE("snapshot: one of another world, or an empty one, is refused, and the world goes on as it would have") {
+  World world, other;
+  cases::add_chain(world, {.links = 5});
+  cases::add_chain(other, {.links = 5});
+  hashes(world, 3);
+  const Snapshot here = take_snapshot(world);
+  const std::vector<std::uint64_t> first = hashes(world, 5);
+  restore(world, here);
+  const Snapshot nothing, there = take_snapshot(other);
+  CHECK(why_not_restore(world, there) == "the snapshot is of another world");
+  CHECK_THROWS_WITH(restore(world, there), "restore: the snapshot is of another world");
+  CHECK_THROWS_WITH(restore(world, nothing), "restore: the snapshot is empty");
+  CHECK_THROWS_WITH(nothing.time(), Contains("snapshot: it is empty"));
+  CHECK_THROWS_WITH(nothing.steps(), Contains("snapshot: it is empty"));
+  CHECK(hashes(world, 5) == first);
+}
+
+TEST_CASE("snapshot: within a step one may be taken, where scripts run, but none restored") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 5});
+  const Snapshot before = take_snapshot(world);
+  std::optional<Snapshot> within;
+  world.behaviours = [&] {
+    within = take_snapshot(world);
+    CHECK_THROWS_WITH(restore(world, before), "restore: a step is under way; restore between two steps");
+  };
+  step(world);
+  world.behaviours = nullptr;
+  CHECK(world.steps == 1);
+  restore(world, within.value());
+  FollowDef follow;
+  follow.max_force = 10;
+  follow.target = [&](double) {
+    CHECK_THROWS_WITH(take_snapshot(world), Contains("snapshot: none can be taken while the world steps"));
+    return vec(5, 0, 0);
+  };
+  add_follow(world, chain.tails.back(), follow);
+  step(world);
+}

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "measure/measure.hpp"
 #include "support/cases.hpp"
@@ -161,4 +162,68 @@ TEST_CASE("step: an empty world steps") {
   CHECK(world.steps == 1);
   CHECK(world.failure == "");
   CHECK(energy(world).total() == 0.0);
+}
+
+TEST_CASE("step: none is made by settings that cannot be, and the world stays as it was") {
+  World world;
+  cases::add_chain(world, {.links = 3});
+  step(world);
+  const Settings good = world.settings;
+  const std::uint64_t before = state_hash(world);
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  const auto check = [&](const char* says) {
+    CHECK_THROWS_WITH(step(world), Catch::Contains(says));
+    CHECK_THROWS_WITH(advance(world, 1.0), Catch::Contains(says));
+    world.settings = good;
+  };
+  for (const double length : {0.0, -1.0, 1e-300, infinity, not_a_number}) {
+    world.settings.step = length;
+    check("scene: step must be");
+  }
+  world.settings.gravity = vec(0, not_a_number, 0);
+  check("gravity must be finite");
+  world.settings.integrator = static_cast<Integrator>(99);
+  check("there is no integrator 99");
+  world.settings.contact = static_cast<ContactSearch>(99);
+  check("there is no contact search 99");
+  world.settings.accuracy = -1.0;
+  check("accuracy must be > 0 1/s");
+  world.settings.box = vec(1, 0, 1);
+  check("box must be > 0 m");
+  world.settings.tolerance = -1.0;
+  check("tolerance must be > 0");
+  world.settings.boltzmann = not_a_number;
+  check("boltzmann must be > 0 J/K");
+  CHECK_THROWS_WITH(advance(world, not_a_number), "advance: until must be finite, got NaN s");
+  CHECK(world.steps == 1);
+  CHECK(state_hash(world) == before);
+  step(world);
+  CHECK(world.steps == 2);
+}
+
+TEST_CASE("step: none is made within a step, and the next one is when that has failed") {
+  const char* const says = "step: a step is under way";
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 3});
+  world.behaviours = [&] { step(world); };
+  CHECK_THROWS_WITH(step(world), Catch::Contains(says));
+  world.behaviours = [&] { advance(world, 1.0); };
+  CHECK_THROWS_WITH(step(world), Catch::Contains(says));
+  world.behaviours = nullptr;
+  FollowDef follow;
+  follow.target = [&](double time) {
+    if (time > 0.0) step(world);
+    return vec(3, 0, 0);
+  };
+  const ConstraintId held = add_follow(world, chain.tails.back(), follow);
+  CHECK_THROWS_WITH(step(world), Catch::Contains(says));
+  remove(world, held);
+  follow.target = [&](double) {
+    step(world);
+    return vec(3, 0, 0);
+  };
+  CHECK_THROWS_WITH(add_follow(world, chain.tails.back(), follow), Catch::Contains(says));
+  CHECK(world.steps == 0);
+  step(world);
+  CHECK(world.steps == 1);
 }

@@ -1,4 +1,5 @@
 // The browser of scenes, and opening scenes without leaving the window.
+#include <sys/stat.h>
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -117,6 +118,8 @@ TEST_CASE("browser: scenes are told by title and first comment, what is no scene
                       "#!/usr/bin/env pantin\n-- One: two\n-- three.\nlocal x = 1\n-- not this\nscene.title = 'B'\n");
   support::write_file(folder / "a.lua", "scene:particle { at = vec(0, 0, 0) }");
   support::write_file(folder / "c.lua", "return {}");
+  std::filesystem::create_symlink("loop.lua", folder.path / "loop.lua");
+  REQUIRE(mkfifo((folder / "endless.lua").c_str(), 0600) == 0);
   const auto scenes = player::list_scenes({folder.path, folder / ".", folder / "missing"});
   REQUIRE(scenes.size() == 2);
   CHECK(scenes[0].title == "a");

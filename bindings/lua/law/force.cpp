@@ -79,19 +79,17 @@ void read_parameters(lua_State* state, const Options& o, LawDef& def) {
   if (!lua_isnil(state, table)) {
     require(lua_istable(state, table), o.what(), ": parameters must be a table { name = number }, got ",
             kind_of_value(state, table));
-    lua_pushnil(state);
-    while (lua_next(state, table)) {
-      require(lua_type(state, -2) == LUA_TSTRING, o.what(), ": parameters must have names, got a key that is ",
-              kind_of_value(state, -2));
-      const std::string name = lua_tostring(state, -2);
+    const KeysOfTable keys = keys_of(state, table);
+    require(keys.count == 0 && !keys.has_others, o.what(), ": parameters must have names");
+    for (const std::string& name : keys.names) {
+      lua_pushlstring(state, name.data(), name.size());
+      lua_rawget(state, table);
       def.parameters.push_back(
           {name, check_number(state, lua_gettop(state), o.what(), text("parameter '", name, "'"), ""), ""});
       lua_pop(state, 1);
     }
   }
   lua_pop(state, 1);
-  std::sort(def.parameters.begin(), def.parameters.end(),
-            [](const pantin::Parameter& a, const pantin::Parameter& b) { return a.name < b.name; });
 }
 
 void read_common(lua_State* state, const Options& o, LawSpec& spec) {

@@ -154,7 +154,9 @@ ResolvedLaw resolve_law(lua_State* state, int index, World& world, std::span<con
   LawSpec* spec = to_law(state, index);
   require(spec, "a law is needed, as force.spring{ … } makes one, got ", kind_of_value(state, index),
           lua_isfunction(state, index) ? "; write force.pair{ potential = function … }" : "");
-  assume(static_cast<std::size_t>(spec->count) == known.size());
+  require(static_cast<std::size_t>(spec->count) == known.size(), spec->word, " is a law of ", spec->count,
+          spec->count == 1 ? " particle" : " particles", ", and ", known.size(), known.size() == 1 ? " is" : " are",
+          " to have it");
   if (spec->library) {
     check_attributes(*spec, known);
     return *spec->library;

@@ -47,8 +47,9 @@ Key key_at(lua_State* state, int index) {
   }
   const Ref* ref = to_ref(state, index);
   require(
-      ref, "pairs: a key that is ", kind_of_value(state, index),
-      " has no place in an order that is the same in every run; use numbers, strings or things of the scene as keys");
+      ref,
+      "pairs: a key that is no number, no string, not true or false and no thing of the scene has no place in an order "
+      "that is the same in every run");
   key.rank = 3 + static_cast<int>(ref->kind);
   key.serial = ref->serial;
   key.number = ref->serial == 0 ? static_cast<long double>(ref->slot) : 0;

@@ -47,9 +47,7 @@ void open(lua_State* state) {
   }
   lua_pushglobaltable(state);
   for (const char* name : {"dofile", "loadfile", "load", "collectgarbage"}) forget(state, name);
-  lua_getfield(state, -1, "setmetatable");
-  lua_pushcclosure(state, guard<set_metatable>, 1);
-  lua_setfield(state, -2, "setmetatable");
+  replace_call(state, "setmetatable", "setmetatable", guard<set_metatable>);
   lua_pop(state, 1);
   Runtime::of(state).load(state, own_xpcall, own_chunk + 1);
   lua_call(state, 0, 0);
@@ -69,6 +67,12 @@ void open(lua_State* state) {
 }
 
 }  // namespace
+
+void replace_call(lua_State* state, const char* name, const char* of, lua_CFunction function) {
+  lua_getfield(state, -1, of);
+  lua_pushcclosure(state, function, 1);
+  lua_setfield(state, -2, name);
+}
 
 const Opener sandbox = {open, describe_error};
 

@@ -10,6 +10,9 @@ namespace pantin::lua {
 /// the same bits everywhere, no addresses as text, no code but text, no finalizers, no loop that the clock cannot end.
 extern const Opener sandbox;
 
+/// Puts `function` into the table at the top as `name`; its upvalue 1 is the table's function `of`.
+void replace_call(lua_State* state, const char* name, const char* of, lua_CFunction function);
+
 // Its parts.
 void open_math(lua_State* state);
 void open_law_math(lua_State* state);

@@ -58,17 +58,19 @@ int sort(lua_State* state) {
   luaL_argcheck(state, count < (lua_Integer{1} << 30), sorted, "the list is too long");
   lua_createtable(state, static_cast<int>(count), 0);
   lua_createtable(state, static_cast<int>(count), 0);
+  Interruptible loop;
   for (lua_Integer i = 1; i <= count; i++) {
+    loop.count();
     lua_geti(state, sorted, i);
     lua_rawseti(state, from, i);
   }
-  Interruptible loop;
   for (lua_Integer run = 1; run < count; run *= 2) {
     for (lua_Integer begin = 1; begin <= count; begin += 2 * run)
       merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1), loop);
     lua_insert(state, from);  // what was merged is merged next
   }
   for (lua_Integer i = 1; i <= count; i++) {
+    loop.count();
     lua_rawgeti(state, from, i);
     lua_seti(state, sorted, i);
   }

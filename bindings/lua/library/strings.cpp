@@ -230,6 +230,7 @@ int repeat(lua_State* state) {
 }
 
 constexpr std::size_t longest_quoted = std::size_t{4} << 20;  // [bytes] of all %q: Lua's own takes a while for each
+constexpr int most_formatted = 10000;                         // values at once: the same
 
 /// string.format: what %s shows has no address, and %p is refused. Upvalue 1 is Lua's own, which does the rest.
 int format(lua_State* state) {
@@ -243,6 +244,7 @@ int format(lua_State* state) {
     const char c = form[i++];
     if (c == '%') continue;
     argument++;
+    require(argument <= most_formatted + 1, "format: at most ", most_formatted, " values at once");
     require(c != 'p', "format: %p would give an address, which differs from run to run; use %s");
     if (argument > count) continue;
     if (c == 'q' && lua_type(state, argument) == LUA_TSTRING) quoted += lua_rawlen(state, argument);
@@ -256,6 +258,25 @@ int format(lua_State* state) {
   return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }
 
+/// string.pack, whose result is bounded before Lua's own (upvalue 1) fills it.
+int pack(lua_State* state) {
+  const std::string_view form = check_string(state, 1);
+  std::size_t size = 0;
+  const auto add = [&](std::size_t more) {
+    require(more <= longest_string - size, "pack: strings are of at most ", longest_string >> 20, " MiB in all");
+    size += more;
+  };
+  for (std::size_t i = form.find('c'); i < form.size(); i = form.find('c', i)) {
+    std::size_t width = 0;
+    for (i++; i < form.size() && form[i] >= '0' && form[i] <= '9'; i++)
+      width = std::min(10 * width + static_cast<std::size_t>(form[i] - '0'), longest_string + 1);
+    add(width);
+  }
+  for (int i = 2; i <= lua_gettop(state); i++)
+    if (lua_type(state, i) == LUA_TSTRING) add(lua_rawlen(state, i));
+  return lua_tocfunction(state, lua_upvalueindex(1))(state);
+}
+
 }  // namespace
 
 void open_strings(lua_State* state) {
@@ -265,9 +286,8 @@ void open_strings(lua_State* state) {
   lua_pushnil(state);
   lua_setfield(state, -2, "dump");
   luaL_setfuncs(state, replaced, 0);
-  lua_getfield(state, -1, "format");
-  lua_pushcclosure(state, guard<format>, 1);
-  lua_setfield(state, -2, "format");
+  replace_call(state, "format", "format", guard<format>);
+  replace_call(state, "pack", "pack", guard<pack>);
   lua_pop(state, 1);
 }
 

@@ -296,7 +296,9 @@ std::vector<Method> telling() {
       {"reset", guard<scene_reset>, "", "", "Goes back to the start of the first step, as restore does.",
        "scene:button(\"from the start\", function() scene:reset() end)"},
       {"rewind", guard<scene_rewind>, "by: number [s]", "",
-       "Goes back by a time to a state that scene.history has kept, once the step is done, as restore does.",
+       "Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. A state in "
+       "a "
+       "file has no history: there it is kept anew.",
        "scene.history = 3\n"
        "scene:on(\"key\", \"z\", function() scene:rewind(2) end)"},
       {"save", guard<scene_save>, "file: string", "",

@@ -60,11 +60,11 @@ SceneOptions options_with(lua_State* state, int index, const SceneOptions& usual
   if (lua_isnoneornil(state, index)) return options;
   require(lua_istable(state, index), "open: argument 2 must be a table of parameters, got ",
           kind_of_value(state, index));
-  lua_pushnil(state);
-  while (lua_next(state, index)) {
-    require(lua_type(state, -2) == LUA_TSTRING, "open: names of parameters must be strings, got ",
-            kind_of_value(state, -2));
-    const std::string name = lua_tostring(state, -2);
+  const KeysOfTable keys = keys_of(state, index);
+  require(keys.count == 0 && !keys.has_others, "open: names of parameters must be strings");
+  for (const std::string& name : keys.names) {
+    lua_pushlstring(state, name.data(), name.size());
+    lua_rawget(state, index);
     options.set[name] = text_of_value(state, lua_gettop(state), name);
     lua_pop(state, 1);
   }
@@ -154,8 +154,9 @@ TestOutcome run_tests(const std::vector<std::string>& paths, const SceneOptions&
       continue;
     }
     std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(path))
-      if (entry.is_regular_file() && entry.path().extension() == ".lua") found.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied))
+      if (std::error_code unknown; entry.is_regular_file(unknown) && entry.path().extension() == ".lua")
+        found.push_back(entry.path());
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }

@@ -26,26 +26,14 @@ std::vector<PointDef> point_defs(lua_State* state, int table) {
   require(lua_istable(state, table), "body: points must be a table of vecs or tables, got ",
           kind_of_value(state, table));
   std::vector<PointDef> points;
-  const auto count = lua_rawlen(state, table);
-  for (lua_Unsigned i = 1; i <= count; i++) {
-    lua_rawgeti(state, table, static_cast<lua_Integer>(i));
+  const KeysOfTable keys = keys_of(state, table);
+  require(!keys.has_others, "body: points must be a list without gaps, or have names");
+  for (lua_Integer i = 1; i <= keys.count; i++) {
+    lua_rawgeti(state, table, i);
     points.push_back(point_def(state, lua_gettop(state), "body", text("point ", i), false));
     lua_pop(state, 1);
   }
-  std::vector<std::string> names;
-  lua_pushnil(state);
-  while (lua_next(state, table)) {
-    lua_pop(state, 1);
-    if (lua_type(state, -1) == LUA_TSTRING) {
-      names.push_back(lua_tostring(state, -1));
-      continue;
-    }
-    require(lua_isinteger(state, -1) && lua_tointeger(state, -1) >= 1 &&
-                static_cast<lua_Unsigned>(lua_tointeger(state, -1)) <= count,
-            "body: points must be a list without gaps, or have names, got a key that is ", kind_of_value(state, -1));
-  }
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) {
+  for (const std::string& name : keys.names) {
     check_point_name("body", name);
     lua_pushlstring(state, name.data(), name.size());
     lua_rawget(state, table);

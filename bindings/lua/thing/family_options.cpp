@@ -16,18 +16,21 @@ namespace {
 void read_attributes(lua_State* state, int table, const std::string& what, Looks& looks) {
   require(lua_istable(state, table), what, ": attributes must be a table { charge = 1 } or { \"charge\" }, got ",
           kind_of_value(state, table));
-  lua_pushnil(state);
-  while (lua_next(state, table)) {
-    const int value = lua_gettop(state), key = value - 1;
-    if (lua_type(state, key) == LUA_TSTRING) {
-      const std::string name = lua_tostring(state, key);
-      const bool follows = lua_isfunction(state, value);
-      if (follows) looks.curves = with(looks.curves.get(), curve_of(state, value, what, name));
-      looks.attributes.push_back(
-          {name, follows ? 0.0 : check_number(state, value, what, text("attribute '", name, "'"), "")});
-    } else {
-      looks.attributes.push_back({check_text(state, value, what, "an attribute's name"), 0.0});
-    }
+  const KeysOfTable keys = keys_of(state, table);
+  require(!keys.has_others, what, ": attributes must be a list without gaps, or have names");
+  for (lua_Integer i = 1; i <= keys.count; i++) {
+    lua_rawgeti(state, table, i);
+    looks.attributes.push_back({check_text(state, -1, what, text("name ", i, " of the attributes")), 0.0});
+    lua_pop(state, 1);
+  }
+  for (const std::string& name : keys.names) {
+    lua_pushlstring(state, name.data(), name.size());
+    lua_rawget(state, table);
+    const int value = lua_gettop(state);
+    const bool follows = lua_isfunction(state, value);
+    if (follows) looks.curves = with(looks.curves.get(), curve_of(state, value, what, name));
+    looks.attributes.push_back(
+        {name, follows ? 0.0 : check_number(state, value, what, text("attribute '", name, "'"), "")});
     lua_pop(state, 1);
   }
   for (const AttributeDef& def : looks.attributes)

@@ -16,12 +16,7 @@ void push_registry_table(lua_State* state, const void* key, bool weak) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, key) != LUA_TNIL) return;
   lua_pop(state, 1);
   lua_newtable(state);
-  if (weak) {
-    lua_newtable(state);
-    lua_pushliteral(state, "v");
-    lua_setfield(state, -2, "__mode");
-    lua_setmetatable(state, -2);
-  }
+  if (weak) make_weak(state, "v");
   lua_pushvalue(state, -1);
   lua_rawsetp(state, LUA_REGISTRYINDEX, key);
 }

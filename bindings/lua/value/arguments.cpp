@@ -4,19 +4,23 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/interruptible.hpp"
 #include "fields/check.hpp"
 #include "lua/value/values.hpp"
 
 namespace pantin::lua {
 namespace {
 
-/// Number of letters to insert, delete or change (Levenshtein 1966).
-std::size_t distance(const std::string& a, const std::string& b) {
+/// Number of letters to insert, delete or change (Levenshtein 1966), or `most` where it is no less.
+std::size_t distance(const std::string& a, const std::string& b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= most) return most;
+  Interruptible loop;
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); j++) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); i++) {
     std::size_t diagonal = row[0];
     row[0] = i;
+    loop.count_bytes(b.size());
     for (std::size_t j = 1; j <= b.size(); j++) {
       const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
       diagonal = row[j];
@@ -78,12 +82,33 @@ std::string check_text(lua_State* state, int index, std::string_view what, std::
           kind_of_value(state, index));
   std::size_t size = 0;
   const char* s = lua_tolstring(state, index, &size);
+  require(std::memchr(s, 0, size) == nullptr, what, ": ", name, " must have no byte of zero");
   return {s, size};
 }
 
 Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name) {
   require(lua_isfunction(state, index), what, ": ", name, " must be a function, got ", kind_of_value(state, index));
   return Callback(state, index);
+}
+
+KeysOfTable keys_of(lua_State* state, int index) {
+  const int table = lua_absindex(state, index);
+  KeysOfTable keys;
+  keys.count = static_cast<lua_Integer>(lua_rawlen(state, table));
+  Interruptible loop;
+  for (lua_pushnil(state); lua_next(state, table); lua_pop(state, 1)) {
+    loop.count();
+    const lua_Integer place = lua_isinteger(state, -2) ? lua_tointeger(state, -2) : 0;
+    if (lua_type(state, -2) == LUA_TSTRING)
+      keys.names.emplace_back(lua_tostring(state, -2), lua_rawlen(state, -2));
+    else
+      keys.has_others = keys.has_others || place < 1 || place > keys.count;
+  }
+  std::sort(keys.names.begin(), keys.names.end(), [&](const std::string& a, const std::string& b) {
+    loop.count_bytes(std::min(a.size(), b.size()));
+    return a < b;
+  });
+  return keys;
 }
 
 Options::Options(lua_State* state, int index, std::string what, std::span<const std::string_view> known)
@@ -186,7 +211,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   std::size_t nearest = 3;
   std::string best;
   for (const std::string& candidate : names) {
-    const std::size_t d = distance(name, candidate);
+    const std::size_t d = distance(name, candidate, nearest);
     if (d < nearest && d < candidate.size()) {
       nearest = d;
       best = candidate;

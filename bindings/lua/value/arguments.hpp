@@ -28,6 +28,14 @@ bool check_boolean(lua_State* state, int index, std::string_view what, std::stri
 std::string check_text(lua_State* state, int index, std::string_view what, std::string_view name);
 Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name);
 
+/// Keys of a table, in an order that is the same in every run.
+struct KeysOfTable {
+  lua_Integer count = 0;           ///< of the list in it
+  std::vector<std::string> names;  ///< sorted
+  bool has_others = false;
+};
+KeysOfTable keys_of(lua_State* state, int index);
+
 /// A table of named values: `{ mass = 1, at = vec(0, 1, 0) }`. A name that is not known is an error.
 class Options {
  public:

@@ -17,8 +17,7 @@ Callback::Callback(lua_State* state, int index) {
   lua_Debug function;
   lua_pushvalue(state, index);
   lua_getinfo(state, ">S", &function);
-  std::string place =
-      function.linedefined > 0 ? text(function.short_src, ":", function.linedefined) : "a built-in function";
+  std::string place = function.linedefined > 0 ? text(function.short_src, ":", function.linedefined) : where(state);
   held_.reset(new Held{Runtime::of(state), luaL_ref(state, LUA_REGISTRYINDEX), std::move(place)});
 }
 
@@ -36,7 +35,9 @@ void Callback::call(const std::function<int(lua_State*)>& push_arguments,
     if (!take) return;
     try {
       take(state);
-    } catch (const Error& error) { throw ScriptError(text(alive->place, ": ", error.what())); }
+    } catch (const Error& error) {
+      throw ScriptError(alive->place.empty() ? error.what() : text(alive->place, ": ", error.what()));
+    }
   });
 }
 

@@ -1,7 +1,11 @@
 #include "lua/value/error_text.hpp"
 
-#include <map>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <utility>
 
+#include "base/interruptible.hpp"
 #include "lua/value/tostring.hpp"
 #include "lua/value/values.hpp"
 #include "lua/vm/runtime.hpp"
@@ -14,7 +18,8 @@ constexpr std::size_t most_shown = 8;
 /// A text in quotes, a number or a truth value as it is, of all else the kind.
 std::string brief(lua_State* state, int index, bool quoted) {
   const int type = lua_type(state, index);
-  if (type == LUA_TSTRING && quoted) return text("\"", lua_tostring(state, index), "\"");
+  if (type == LUA_TSTRING && quoted)
+    return text("\"", std::string_view(lua_tostring(state, index), lua_rawlen(state, index)), "\"");
   if (type != LUA_TSTRING && type != LUA_TNUMBER && type != LUA_TBOOLEAN) return kind_of_value(state, index);
   lua_pushvalue(state, index);
   const std::string shown(push_text(state, -1));
@@ -24,21 +29,30 @@ std::string brief(lua_State* state, int index, bool quoted) {
 
 /// "{ code = 3, reason = "full" }"
 std::string table_text(lua_State* state, int index) {
-  std::multimap<std::string, std::string> fields;  // sorted: the order of lua_next differs from run to run
+  std::multiset<std::pair<std::string, std::string>> fields;  // the order of lua_next differs from run to run
+  Interruptible loop;
+  bool more = false;
   lua_pushnil(state);
   while (lua_next(state, index)) {
     const bool named = lua_type(state, -2) == LUA_TSTRING;
-    const std::string key = brief(state, lua_absindex(state, -2), false);
-    fields.emplace(named ? key : text("[", key, "]"), brief(state, lua_absindex(state, -1), true));
+    std::string key = brief(state, lua_absindex(state, -2), false);
+    if (!named) key = text("[", key, "]");
+    loop.count_bytes(key.size());
+    if (fields.size() < most_shown || key <= std::prev(fields.end())->first) {
+      std::string value = brief(state, lua_absindex(state, -1), true);
+      loop.count_bytes(value.size());
+      fields.emplace(std::move(key), std::move(value));
+    } else {
+      more = true;
+    }
     lua_pop(state, 1);
+    if (fields.size() <= most_shown) continue;
+    fields.erase(std::prev(fields.end()));
+    more = true;
   }
   std::string all;
-  std::size_t count = 0;
-  for (const auto& [key, value] : fields) {
-    if (count++ == most_shown) break;
-    all += text(all.empty() ? "" : ", ", key, " = ", value);
-  }
-  if (fields.size() > most_shown) all += ", …";
+  for (const auto& [key, value] : fields) all += text(all.empty() ? "" : ", ", key, " = ", value);
+  if (more) all += ", …";
   return all.empty() ? "{}" : text("{ ", all, " }");
 }
 

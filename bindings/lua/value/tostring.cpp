@@ -18,10 +18,7 @@ void push_shown(lua_State* state) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, &numbers_key) != LUA_TNIL) return;
   lua_pop(state, 1);
   lua_newtable(state);
-  lua_newtable(state);
-  lua_pushliteral(state, "k");
-  lua_setfield(state, -2, "__mode");
-  lua_setmetatable(state, -2);
+  make_weak(state, "k");
   lua_pushvalue(state, -1);
   lua_rawsetp(state, LUA_REGISTRYINDEX, &numbers_key);
 }

@@ -36,14 +36,31 @@ int panic(lua_State* state) {
 }
 
 /// An error's text ends at its first.
-void show_nul(std::string& message) {
-  for (std::size_t at; (at = message.find('\0')) != std::string::npos;) message.replace(at, 1, "\\x00");
+std::string with_nul_shown(std::string_view message) {
+  std::string shown;
+  for (const char c : message) {
+    if (c == '\0')
+      shown += "\\x00";
+    else
+      shown += c;
+  }
+  return shown;
+}
+
+const char weak_name = 0;  // of the text for `__mode` in the registry
+
+/// Lua's own text becomes another, at the place where Lua looks for it: a script's is then one like any other.
+void hide_mode(lua_State* state) {
+  lua_pushliteral(state, "__mode");
+  std::memcpy(const_cast<char*>(lua_tostring(state, -1)), "\0weak\0", 6);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, &weak_name);
 }
 
 }  // namespace
 
 Runtime::Runtime(Limits limits, const Opener& opener)
     : limits_(limits), describe_error_(opener.describe_error), watch_(limits.bytes) {
+  if (!(limits.seconds >= 0.0)) throw UsageError(text("--script-limit: must be >= 0 s, got ", limits.seconds));
   main_ = lua_newstate(allocate, this);
   if (!main_)
     throw UsageError(text("--memory-limit: ", limits.bytes, " bytes are not enough to start Lua; give at least 1 MB"));
@@ -51,7 +68,10 @@ Runtime::Runtime(Limits limits, const Opener& opener)
   *static_cast<Runtime**>(lua_getextraspace(main_)) = this;
   watch_.running = main_;
   try {
-    run([&](lua_State* state) { opener.open(state); });
+    run([&](lua_State* state) {
+      hide_mode(state);
+      opener.open(state);
+    });
   } catch (...) {
     lua_close(main_);
     throw;
@@ -134,7 +154,7 @@ void Runtime::fail(lua_State* state, int status) {
     message.assign(bytes, size);
   }
   lua_pop(state, 1);
-  show_nul(message);
+  message = with_nul_shown(message);
   if (message == stale_message) throw StaleHandle(message);
   if (message == usage_message) throw UsageError(message);
   if (watch_.over && scripts_interrupted()) throw Interrupted(message);
@@ -166,6 +186,14 @@ const char* next_block(lua_State* state, void* text, std::size_t* size) {
   return block.data();
 }
 }  // namespace
+
+void make_weak(lua_State* state, const char* mode) {
+  lua_newtable(state);
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &weak_name);
+  lua_pushstring(state, mode);
+  lua_rawset(state, -3);
+  lua_setmetatable(state, -2);
+}
 
 void load_text(lua_State* state, const SourceText& chunk) {
   const std::string& source = chunk.source;

@@ -116,6 +116,10 @@ class Runtime {
   Watch watch_;
 };
 
+/// Makes the table at the top one with weak keys (`mode` "k") or values ("v"). No `__mode` of a script makes one: what it has
+/// lost would depend on the memory of the run.
+void make_weak(lua_State* state, const char* mode);
+
 /// Pushes the chunk of a text.
 void load_text(lua_State* state, const SourceText& chunk);
 
