@@ -11,7 +11,7 @@ rm -f "$build"/*.profraw
 export LLVM_PROFILE_FILE=$build/%8m.profraw
 "$build/bin/pantin_tests" "~[window]~[slow]~[minute]" | tail -3 || true
 "$build/bin/pantin" test tests/scenes | tail -1 || true
-llvm-profdata merge --failure-mode=all "$build"/*.profraw -o "$build/all.profdata" 2>/dev/null  # profiles of what was killed are cut off
+llvm-profdata merge --failure-mode=all "$build"/*.profraw -o "$build/all.profdata" 2>"$build/merge.log" || { cat "$build/merge.log"; exit 1; }
 llvm-cov export -summary-only -instr-profile "$build/all.profdata" "$build/bin/pantin_tests" -object "$build/bin/pantin" |
   python3 -c '
 import collections, json, sys

@@ -9,7 +9,6 @@
 #include "edit/common.hpp"
 #include "forces/forces.hpp"
 #include "forces/solved.hpp"
-#include "snapshot/world_state.hpp"
 
 namespace pantin {
 
@@ -19,25 +18,7 @@ struct Snapshot::Held {
   std::vector<Articulate> articulates;
   std::optional<Forces> forces;
   ShapesThen shapes;
-
-  void put(World& world) const;
 };
-
-void Snapshot::Held::put(World& world) const {
-  static_cast<WorldData&>(world) = data;
-  put_back(world.contact_finder, world, shapes);
-  world.articulates.resize(articulates.size());
-  for (std::size_t i = 0; i < articulates.size(); i++)
-    if (world.articulates[i])
-      *world.articulates[i] = articulates[i];
-    else
-      world.articulates[i] = std::make_unique<Articulate>(articulates[i]);
-  world.forces = forces ? std::make_unique<Forces>(*forces) : nullptr;
-  const bool found_anew = world.topology_changed || world.force_elements_changed;
-  if (found_anew) return;
-  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
-  for (std::size_t i = 0; i < articulates.size(); i++) world.articulates[i]->rest = articulates[i].rest;
-}
 
 namespace {
 
@@ -113,20 +94,19 @@ void restore(World& world, const Snapshot& snapshot) {
   require(why.empty(), "restore: ", why);
   const Snapshot::Held& held = *snapshot.held_;
   tell_events(world.choreography.events, held.data.choreography.events);
-  held.put(world);
-}
-
-void visit_snapshot(Writer& to, const Snapshot& snapshot) {
-  World world;
-  snapshot.held().put(world);
-  visit_world(to, world);
-}
-
-void visit_snapshot(Reader& from, Snapshot& snapshot, const World& of) {
-  World world;
-  visit_world(from, world);
-  take_snapshot(world, snapshot);
-  snapshot.held_->world = of.number;
+  static_cast<WorldData&>(world) = held.data;
+  put_back(world.contact_finder, world, held.shapes);
+  world.articulates.resize(held.articulates.size());
+  for (std::size_t i = 0; i < held.articulates.size(); i++)
+    if (world.articulates[i])
+      *world.articulates[i] = held.articulates[i];
+    else
+      world.articulates[i] = std::make_unique<Articulate>(held.articulates[i]);
+  world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
+  const bool found_anew = world.topology_changed || world.force_elements_changed;
+  if (found_anew) return;
+  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
+  for (std::size_t i = 0; i < held.articulates.size(); i++) world.articulates[i]->rest = held.articulates[i].rest;
 }
 
 }  // namespace pantin

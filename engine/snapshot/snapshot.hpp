@@ -8,9 +8,6 @@
 
 namespace pantin {
 
-class Reader;
-class Writer;
-
 /// A copy of all rows, unknown forces, predictions, neighbour rows, events, counters, random numbers and the log. Functions
 /// that rows hold (targets, actions, probes) are copied as values; what they refer to is not.
 class Snapshot {
@@ -25,8 +22,6 @@ class Snapshot {
   friend Snapshot take_snapshot(const World& world);
   friend void take_snapshot(const World& world, Snapshot& into);
   friend void restore(World& world, const Snapshot& snapshot);
-  friend void visit_snapshot(Writer& to, const Snapshot& snapshot);
-  friend void visit_snapshot(Reader& from, Snapshot& snapshot, const World& of);
   friend std::string why_not_restore(const World& world, const Snapshot& snapshot);
 };
 

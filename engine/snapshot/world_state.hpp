@@ -7,17 +7,11 @@
 
 namespace pantin {
 
-class Snapshot;
-
 /// Between two steps. Throws Error where functions are in it that nobody can keep.
 void visit_world(Writer& to, World& world);
 /// Into a world, whatever was in it; threads, callbacks and the profile stay as they are. Throws Error where the bytes are no
 /// state; the world is of no use then.
 void visit_world(Reader& from, World& world);
-
-/// The same of a snapshot; what is read is one of the world `of`.
-void visit_snapshot(Writer& to, const Snapshot& snapshot);
-void visit_snapshot(Reader& from, Snapshot& snapshot, const World& of);
 
 /// A law, which may also be part of the world.
 void visit_law(Writer& to, std::shared_ptr<const Law>& law);

@@ -1420,7 +1420,7 @@ function Scene:snapshot() end
 ---```
 ---@param snapshot Snapshot
 function Scene:restore(snapshot) end
----Goes back to the start of the first step, as restore does.
+---Goes back to the start of the first step, as restore does. A state in a file has no start: there it is an error.
 ---```lua
 ---scene:button("from the start", function() scene:reset() end)
 ---```

@@ -114,48 +114,6 @@ TEST_CASE("state_file: counters in locals, shared by functions and changed in mi
     scene:on("step", function() scene:result("x", told() + list.deep.at.x + #name + (other.self == other and 1 or 0)) end))");
 }
 
-TEST_CASE("state_file: reset goes back to the start from a state, too") {
-  const std::string source = R"(
-    scene:floor {}
-    local ball = scene:ball { radius = 0.2, at = vec(0, 1, 0), restitution = 0.7 }
-    local chain = scene:rod(scene:particle { at = vec(1, 3, 0) }, vec(0, 3, 0))
-    scene.store.list = { 1, 2 }
-    local list, begun = scene.store.list, scene.store
-    ball.data.hits = 0
-    local falls = 0
-    scene:on("touched", function() ball.data.hits = ball.data.hits + 1 end)
-    scene:at(0.1, function() list[#list + 1] = 3 scene.store = { other = true } end)
-    scene:at(0.12, function() scene:on("step", function() ball:push(vec(0.1, 0, 0)) end) end)
-    scene:param("push", 1, { on_change = function() falls = falls + 0.5 end })
-    scene:button("again", function() falls = falls + 1 scene:reset() end)
-    scene:on("step", function()
-      scene:result("x", ball.position.y + 10 * #list + 100 * falls + 1000 * ball.data.hits + (scene.store == begun and 1e4 or 0))
-    end))";
-  for (const int before : {0, 20, 200}) {
-    CAPTURE(before);
-    const auto scene = open(source);
-    step_on(*scene, before);
-    const auto other = reopened(*scene);
-    for (Scene* each : {scene.get(), other.get()}) {
-      REQUIRE(each->set_parameter("push", 2.0));
-      step_on(*each, 50);
-      press(*each, "again");
-      step_on(*each, 1);
-      CHECK(each->world().steps < 2);
-      step_on(*each, 220);
-    }
-    CHECK(other->results() == scene->results());
-    CHECK(state_hash(other->world()) == state_hash(scene->world()));
-    const auto third = reopened(*other);
-    for (Scene* each : {scene.get(), third.get()}) {
-      press(*each, "again");
-      step_on(*each, 100);
-    }
-    CHECK(third->results() == scene->results());
-    CHECK(state_hash(third->world()) == state_hash(scene->world()));
-  }
-}
-
 TEST_CASE("state_file: functions that were made while the scene ran go on with their own locals") {
   check_says_the_same(R"(
     local sum = 0

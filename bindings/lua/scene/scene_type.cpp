@@ -293,12 +293,12 @@ std::vector<Method> telling() {
        "are theirs again; what was made since is gone. An error while a play goes on.",
        "local before = scene:snapshot()\n"
        "scene:button(\"again\", function() scene:restore(before) end)"},
-      {"reset", guard<scene_reset>, "", "", "Goes back to the start of the first step, as restore does.",
+      {"reset", guard<scene_reset>, "", "",
+       "Goes back to the start of the first step, as restore does. A state in a file has none: there it is an error.",
        "scene:button(\"from the start\", function() scene:reset() end)"},
       {"rewind", guard<scene_rewind>, "by: number [s]", "",
-       "Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. A state in "
-       "a "
-       "file has no history: there it is kept anew.",
+       "Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. What was "
+       "before a state in a file is not kept.",
        "scene.history = 3\n"
        "scene:on(\"key\", \"z\", function() scene:rewind(2) end)"},
       {"save", guard<scene_save>, "file: string", "",

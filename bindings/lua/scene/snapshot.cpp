@@ -42,23 +42,18 @@ void require_unlocked(const World& world, const char* call) {
 }  // namespace
 
 ScriptSnapshot::ScriptSnapshot(lua_State* state, Script& of) : script(of), tables(state), runtime_(of.runtime) {
-  lua::push_store(state, of);
+  push_store(state, of);
   tables.keep_plain(state, -1, "scene.store");
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, key_of_data(of)) == LUA_TTABLE) tables.keep(state, -1);
   lua_pop(state, 1);
-  keep_store(state);
+  store_ = luaL_ref(state, LUA_REGISTRYINDEX);
 }
-
-void ScriptSnapshot::push_store(lua_State* state) const { lua_rawgeti(state, LUA_REGISTRYINDEX, store_); }
-void ScriptSnapshot::keep_store(lua_State* state) { store_ = luaL_ref(state, LUA_REGISTRYINDEX); }
-
-ScriptSnapshot::ScriptSnapshot(lua_State* state) : tables(state), runtime_(Runtime::of(state)) {}
 
 ScriptSnapshot::~ScriptSnapshot() { luaL_unref(runtime_.active(), LUA_REGISTRYINDEX, store_); }
 
 void ScriptSnapshot::put_back(lua_State* state, Script& into) const {
   tables.put_back(state);
-  push_store(state);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, store_);
   lua_rawsetp(state, LUA_REGISTRYINDEX, key_of_store(into));
 }
 

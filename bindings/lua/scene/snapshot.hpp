@@ -14,15 +14,9 @@ namespace pantin::lua {
 struct ScriptSnapshot final : SceneSnapshot {
   /// All but the world's.
   ScriptSnapshot(lua_State* state, Script& of);
-  /// Of nothing yet.
-  explicit ScriptSnapshot(lua_State* state);
   ~ScriptSnapshot() override;
   /// The tables of the scene.
   void put_back(lua_State* state, Script& into) const;
-
-  /// The table that `scene.store` was: pushes it, or takes it from the top.
-  void push_store(lua_State* state) const;
-  void keep_store(lua_State* state);
 
   Snapshot world;
   ScriptData script;
@@ -30,7 +24,7 @@ struct ScriptSnapshot final : SceneSnapshot {
 
  private:
   Runtime& runtime_;
-  int store_ = LUA_NOREF;  ///< in the registry
+  int store_;  ///< registry reference of the table that `scene.store` was
 };
 
 std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script);

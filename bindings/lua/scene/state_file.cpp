@@ -80,9 +80,10 @@ void visit_callbacks(Heap& heap, A& a, std::map<std::string, Callback>& callback
 }
 
 template <class Heap, class A>
-void visit_data(Heap& heap, A& a, ScriptData& s) {
+void visit_script(Heap& heap, A& a, Script& s) {
   each(a, s.title, s.duration, s.pace, s.camera.at, s.camera.look_at, s.camera.follow, s.camera.zoom, s.camera.ease,
-       s.dark, s.finished, s.next, s.contact_sounds, s.parameters, s.buttons, s.results, s.drawings, s.cancelled);
+       s.dark, s.finished, s.next, s.controls, s.contact_sounds, s.parameters, s.buttons, s.results, s.drawings,
+       s.cancelled, s.fixed, s.subscribed, s.history);
   visit_callbacks(heap, a, s.on_change);
   visit_callbacks(heap, a, s.button_functions);
   std::size_t size = visit_size(a, s.subscriptions.size());
@@ -98,12 +99,6 @@ void visit_data(Heap& heap, A& a, ScriptData& s) {
     each(a, traced.id, traced.traced_again);
     visit_law(heap, a, traced.law);
   }
-}
-
-template <class Heap, class A>
-void visit_script(Heap& heap, A& a, Script& s) {
-  visit_data(heap, a, s);
-  each(a, s.controls, s.fixed, s.subscribed, s.history);
 }
 
 /// Laws of the library that the script has made so far: what is made from now on may be the same.
@@ -166,50 +161,6 @@ void read_shown(HeapReader& heap, lua_State* state, Script& script, Reader& from
   visit(from, script.runtime.shown);
 }
 
-/// What `reset` goes back to, or why there is none.
-void write_start(HeapWriter& heap, lua_State* state, Script& script, Writer& to) {
-  bool has = script.start != nullptr;
-  visit(to, has);
-  if (!has) return visit(to, script.no_start);
-  ScriptData data = script.start->script;
-  visit_snapshot(to, script.start->world);
-  visit_data(heap, to, data);
-  script.start->push_store(state);
-  heap.value(lua_gettop(state), "scene.store");
-  lua_pop(state, 1);
-  script.start->tables.each(state, [&](int table, int content) {
-    heap.value(table, "data");
-    heap.value(content, "data");
-  });
-  lua_pushnil(state);
-  heap.value(lua_gettop(state), "");
-  lua_pop(state, 1);
-}
-
-std::shared_ptr<ScriptSnapshot> read_start(HeapReader& heap, lua_State* state, Script& script, Reader& from) {
-  bool has = false;
-  visit(from, has);
-  if (!has) {
-    visit(from, script.no_start);
-    return nullptr;
-  }
-  auto start = std::make_shared<ScriptSnapshot>(state);
-  visit_snapshot(from, start->world, script.world);
-  visit_data(heap, from, start->script);
-  heap.value();
-  start->keep_store(state);
-  for (heap.value(); !lua_isnil(state, -1); heap.value()) {
-    heap.value();
-    start->tables.keep_known(state);
-  }
-  lua_pop(state, 1);
-  return start;
-}
-
-void find_all_captured(LawsAtWork& laws) {
-  for (TracedAtWork& traced : laws.traced) find_captured(traced.law);
-}
-
 void write_all(lua_State* state, Script& script, Writer& to) {
   sweep_data(state, script);
   HeapWriter heap(state, script, to);
@@ -226,7 +177,6 @@ void write_all(lua_State* state, Script& script, Writer& to) {
   put("scene.store");
   lua_rawgetp(state, LUA_REGISTRYINDEX, data_key(script));
   put("data");
-  write_start(heap, state, script, to);
   heap.contents();
   write_shown(heap, state, script, to);
 }
@@ -239,16 +189,15 @@ void read_all(lua_State* state, Script& script, Reader& from) {
   visit_script(heap, from, script);
   visit_known_laws(from, known_laws(state));
   heap.value();
+  require(lua_istable(state, -1), "its scene.store is no table");
   lua_rawsetp(state, LUA_REGISTRYINDEX, store_key(script));
   heap.value();
+  require(lua_isnoneornil(state, -1) || lua_istable(state, -1), "its data is no table");
   lua_rawsetp(state, LUA_REGISTRYINDEX, data_key(script));
-  const std::shared_ptr<ScriptSnapshot> start = read_start(heap, state, script, from);
-  script.start = start;
   heap.contents();
   read_shown(heap, state, script, from);
   require(from.rest.empty(), "there is more in it than there should be");
-  find_all_captured(script.laws);
-  if (start) find_all_captured(start->script.laws);
+  for (TracedAtWork& traced : script.laws.traced) find_captured(traced.law);
   heap.each_law([](LawSpec& spec) {
     for (LawSpec::Ready& ready : spec.ready) find_captured(ready.law);
   });
@@ -283,6 +232,8 @@ std::unique_ptr<Scene> scene_with(Reader& from, const SceneOptions& options) {
   visit_sources(from, script);
   read_kept_files_first(script);
   script.runtime.run([&](lua_State* state) { read_all(state, script, from); });
+  if (script.runtime.speaks_of_reset)
+    script.no_start = "it is not in the file of the state that the scene went on from";
   return scene;
 }
 

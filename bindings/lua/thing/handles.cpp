@@ -156,7 +156,9 @@ void sweep_data(lua_State* state, Script& script) {
   lua_pushnil(state);
   while (lua_next(state, -2)) {
     lua_pop(state, 1);
-    if (in_store(*to_ref(state, -1))) {
+    const Ref* ref = to_ref(state, -1);
+    require(ref != nullptr, "data belongs to no thing");
+    if (in_store(*ref)) {
       script.data_count++;
       continue;
     }

@@ -228,19 +228,16 @@ void KeptTables::keep_plain(lua_State* state, int index, const std::string& name
 
 void KeptTables::keep(lua_State* state, int index) { keep_table(state, index, reference_, "data", false); }
 
-void KeptTables::keep_known(lua_State* state) {
-  lua_rawgeti(state, LUA_REGISTRYINDEX, reference_);
-  lua_insert(state, -3);
-  lua_rawset(state, -3);
-  lua_pop(state, 1);
-}
-
 void KeptTables::put_back(lua_State* state) const {
   Interruptible loop;
-  each(state, [&](int table, int contents) {
+  luaL_checkstack(state, 8, nullptr);
+  lua_rawgeti(state, LUA_REGISTRYINDEX, reference_);
+  const int kept = lua_gettop(state);
+  for (lua_pushnil(state); lua_next(state, kept); lua_pop(state, 1)) {
     loop.count();
-    fill(state, table, contents, loop);
-  });
+    fill(state, kept + 1, kept + 2, loop);
+  }
+  lua_pop(state, 1);
 }
 
 }  // namespace pantin::lua

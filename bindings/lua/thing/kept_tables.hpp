@@ -21,19 +21,8 @@ class KeptTables {
   void keep_plain(lua_State* state, int index, const std::string& name);
   /// The same, but what is not plain is kept as the value that it is.
   void keep(lua_State* state, int index);
-  /// The same of a table whose contents are known: it and a table that holds them, which are popped from the top.
-  void keep_known(lua_State* state);
   /// Puts the contents of all tables back.
   void put_back(lua_State* state) const;
-  /// Calls use(table, contents), both stack indices, for each table.
-  template <class Use>
-  void each(lua_State* state, Use use) const {
-    luaL_checkstack(state, 8, nullptr);
-    lua_rawgeti(state, LUA_REGISTRYINDEX, reference_);
-    const int kept = lua_gettop(state);
-    for (lua_pushnil(state); lua_next(state, kept); lua_pop(state, 1)) use(kept + 1, kept + 2);
-    lua_pop(state, 1);
-  }
 
  private:
   Runtime& runtime_;
