@@ -1420,12 +1420,12 @@ function Scene:snapshot() end
 ---```
 ---@param snapshot Snapshot
 function Scene:restore(snapshot) end
----Goes back to the start of the first step, as restore does. A state in a file has no start: there it is an error.
+---Goes back to the start of the first step, as restore does. A state in a file has none: there it is an error.
 ---```lua
 ---scene:button("from the start", function() scene:reset() end)
 ---```
 function Scene:reset() end
----Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. A state in a file has no history: there it is kept anew.
+---Goes back by a time to a state that scene.history has kept, once the step is done, as restore does. What was before a state in a file is not kept.
 ---```lua
 ---scene.history = 3
 ---scene:on("key", "z", function() scene:rewind(2) end)
