@@ -73,9 +73,9 @@ std::optional<std::string> gains_taken_back(const World& world) {
   if (!(part > told_from)) return {};
   char line[200];
   std::snprintf(line, sizeof line,
-                "contacts gave %.2g J too much, %.2g %% of the largest kinetic energy, which was taken back by slowing "
+                "contacts gave %.2g J too much, %.2g times the largest kinetic energy, which was taken back by slowing "
                 "things down; a shorter step follows their blows",
-                world.stats.gains_taken_back, 100.0 * part);
+                world.stats.gains_taken_back, part);
   return line;
 }
 
