@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 #include "support/watch.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -107,5 +107,3 @@ void run(const player::BenchOptions&) {
 const player::Register registered({"accuracy", "gaps, energy and error of chains, heavy chains and a ring", run});
 
 }  // namespace
-
-}  // namespace pantin

@@ -16,7 +16,7 @@
 #include "support/process.hpp"
 #include "support/reference.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -252,5 +252,3 @@ const player::Register registered({"articulates",
                                    bench_articulates});
 
 }  // namespace
-
-}  // namespace pantin

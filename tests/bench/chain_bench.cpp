@@ -15,7 +15,7 @@
 #include "support/cases.hpp"
 #include "support/watch.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -93,5 +93,3 @@ const player::Register chain_benchmark({"chain", "time per hinge and step of a c
                                         bench_chain});
 
 }  // namespace
-
-}  // namespace pantin

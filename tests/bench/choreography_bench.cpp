@@ -17,7 +17,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -133,5 +133,3 @@ const player::Register choreography_benchmark({"choreography",
                                                bench_choreography});
 
 }  // namespace
-
-}  // namespace pantin

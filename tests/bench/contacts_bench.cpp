@@ -16,7 +16,7 @@
 #include "player/plot.hpp"
 #include "support/process.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -240,5 +240,3 @@ const player::Register registered(
      bench_contacts});
 
 }  // namespace
-
-}  // namespace pantin

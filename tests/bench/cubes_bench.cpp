@@ -11,7 +11,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -81,5 +81,3 @@ const player::Register cubes_benchmark({"cubes", "particles with springs that ar
                                         bench_cubes});
 
 }  // namespace
-
-}  // namespace pantin

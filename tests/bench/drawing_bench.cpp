@@ -15,7 +15,7 @@
 #include "view/renderer.hpp"
 #include "view/window.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -91,5 +91,3 @@ void bench_drawing(const player::BenchOptions&) {
 const player::Register drawing_benchmark({"drawing", "10,000 particles and 1000 hinged bodies drawn", bench_drawing});
 
 }  // namespace
-
-}  // namespace pantin

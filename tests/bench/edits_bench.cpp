@@ -12,7 +12,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -123,5 +123,3 @@ void bench_edits(const player::BenchOptions&) {
 const player::Register edits_benchmark({"edits", "what an edit costs beyond a normal step", bench_edits});
 
 }  // namespace
-
-}  // namespace pantin

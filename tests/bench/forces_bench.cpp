@@ -23,7 +23,7 @@
 #include "scene/scene.hpp"
 #include "support/process.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -341,5 +341,3 @@ const player::Register forces_benchmark(
      bench_forces});
 
 }  // namespace
-
-}  // namespace pantin

@@ -16,7 +16,7 @@
 #include "step/step.hpp"
 #include "support/mechanisms.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -138,5 +138,3 @@ const player::Register registered(
      bench_heaps});
 
 }  // namespace
-
-}  // namespace pantin

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "clock.hpp"
+#include "bench/clock.hpp"
 #include "measure/measure.hpp"
 #include "player/bench.hpp"
 #include "player/machine.hpp"
@@ -11,7 +11,7 @@
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -57,5 +57,3 @@ const player::Register heavy_benchmark({"heavy", "error and time of a chain with
                                         bench_heavy});
 
 }  // namespace
-
-}  // namespace pantin

@@ -9,7 +9,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -48,5 +48,3 @@ void bench_hubs(const player::BenchOptions&) {
 const player::Register hubs_benchmark({"hubs", "a body of up to 500 hinges", bench_hubs});
 
 }  // namespace
-
-}  // namespace pantin

@@ -11,7 +11,7 @@
 #include "scene/scene.hpp"
 #include "support/process.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -90,5 +90,3 @@ const player::Register lammps_benchmark(
      bench_lammps});
 
 }  // namespace
-
-}  // namespace pantin

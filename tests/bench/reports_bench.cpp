@@ -10,7 +10,7 @@
 #include "player/home.hpp"
 #include "player/report.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -48,5 +48,3 @@ const player::Register reports_benchmark({"reports",
                                           bench_reports});
 
 }  // namespace
-
-}  // namespace pantin

@@ -17,7 +17,7 @@
 #include "player/bench.hpp"
 #include "scene/scene.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -174,5 +174,3 @@ const player::Register scale_benchmark(
      bench_scale});
 
 }  // namespace
-
-}  // namespace pantin

@@ -13,7 +13,7 @@
 #include "player/bench.hpp"
 #include "scene/errors.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -159,5 +159,3 @@ const player::Register scripts_benchmark({"scripts",
                                           bench_scripts});
 
 }  // namespace
-
-}  // namespace pantin

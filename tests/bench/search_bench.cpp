@@ -8,7 +8,7 @@
 #include "player/sweep/cases.hpp"
 #include "support/search_cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -112,5 +112,3 @@ void bench_search(const player::BenchOptions& options) {
 const player::Register search_benchmark({"search", "cases that sweep --best needs", bench_search});
 
 }  // namespace
-
-}  // namespace pantin

@@ -13,7 +13,7 @@
 #include "player/csv.hpp"
 #include "support/process.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -88,5 +88,3 @@ const player::Register sweep_benchmark(
      bench_sweep});
 
 }  // namespace
-
-}  // namespace pantin

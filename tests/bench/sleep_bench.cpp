@@ -15,7 +15,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -99,5 +99,3 @@ void bench_sleep(const player::BenchOptions&) {
 const player::Register sleep_benchmark({"sleep", "1000 chains at rest, asleep and awake", bench_sleep});
 
 }  // namespace
-
-}  // namespace pantin

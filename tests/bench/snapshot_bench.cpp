@@ -16,7 +16,7 @@
 #include "step/step.hpp"
 #include "support/cases.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -118,5 +118,3 @@ const player::Register snapshot_benchmark({"snapshot", "what it costs to keep a 
                                            bench_snapshot});
 
 }  // namespace
-
-}  // namespace pantin

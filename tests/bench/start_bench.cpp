@@ -11,7 +11,7 @@
 #include "player/home.hpp"
 #include "player/player.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -50,5 +50,3 @@ void bench_start(const player::BenchOptions&) {
 const player::Register start_benchmark({"start", "from a start to the first picture", bench_start});
 
 }  // namespace
-
-}  // namespace pantin

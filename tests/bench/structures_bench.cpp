@@ -11,7 +11,7 @@
 #include "structures/lattice.hpp"
 #include "structures/polyhedra.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -73,5 +73,3 @@ const player::Register structures_benchmark(
     {"structures", "a lattice of 100,000 springs' ends, 10,000 rods and 5,000 plates on hinges", bench_structures});
 
 }  // namespace
-
-}  // namespace pantin

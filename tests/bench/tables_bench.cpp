@@ -11,7 +11,7 @@
 #include "player/output.hpp"
 #include "scene/files.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -56,5 +56,3 @@ void bench_tables(const player::BenchOptions&) {
 const player::Register tables_benchmark({"tables", "tables of a million rows as .csv and .h5", bench_tables});
 
 }  // namespace
-
-}  // namespace pantin

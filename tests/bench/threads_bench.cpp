@@ -17,7 +17,7 @@
 #include "support/cases.hpp"
 #include "support/mechanisms.hpp"
 
-namespace pantin {
+using namespace pantin;
 
 namespace {
 
@@ -99,5 +99,3 @@ const player::Register threads_benchmark({"threads",
                                           bench_threads});
 
 }  // namespace
-
-}  // namespace pantin
