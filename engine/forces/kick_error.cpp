@@ -7,6 +7,7 @@
 #include "articulates/articulate.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/sub_steps.hpp"
+#include "constraints/row_rule.hpp"
 #include "forces/encounters.hpp"
 #include "forces/forces_parts.hpp"
 #include "forces/integrator.hpp"
@@ -295,6 +296,10 @@ class Judge {
   void judge_site(std::size_t i) {
     const std::uint32_t slot = f_.sites.particle[i];
     const Articulate* articulate = articulate_of(world_, f_, i);
+    if (articulate && articulate->length_of_motion) {  // there it is judged as what is loose
+      n_.change[i] = let_through(*articulate, f_.receivers[f_.attached[f_.attached_of[i]].receiver].node, n_.change[i]);
+      articulate = nullptr;
+    }
     const double change = norm(n_.change[i]) + n_.turning[i] + (articulate ? turned_by_rows(i, *articulate) : 0.0);
     const double jump = jump_before(slot, change / h_) * h_;
     n_.jerk[slot] = {change / h_, n_.jerk[slot][0], n_.jerk[slot][1]};
@@ -315,6 +320,17 @@ class Judge {
     tell_later(n_.untold[slot], change, size, turned > half_around);
     // Kicks are wrong by h/4 times a jump on average, and positions by that in each second from then on.
     if (jump * h_ > 4.0 * n_.jump * size) see_jump(i, jump * h_ / (4.0 * size));
+  }
+
+  /// What is left of a change of acceleration where rows tie a node to the world.
+  static Vec3 let_through(const Articulate& a, std::uint32_t node, Vec3 change) {
+    for (const std::uint32_t k : a.rows_on[node]) {
+      const Row& row = a.rows[k];
+      if (row.b >= 0) continue;
+      if (is_rigid(row)) return zero3();
+      if (!is_soft(row) && row.lever == 0.0) change -= condition(a, row).kept * change;
+    }
+    return change;
   }
 
   /// What rows make of a force that stays as it is changes as they turn with what they tie [m/s²].

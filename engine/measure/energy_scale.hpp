@@ -3,15 +3,20 @@
 #include <cmath>
 
 #include "articulates/articulate.hpp"
+#include "forces/forces.hpp"
 #include "measure/measure.hpp"
 
 namespace pantin {
 
-/// [J] What is too little to count of what is tied: its weight times 1e-8 of its length, and the motion by 1e-12 of that in a
-/// step. All that changes in a mechanism at rest is round-off, wherever it is.
+/// [J] What is too little to count of what is tied: its weight, and what laws pull it with, times 1e-8 of its length, and the
+/// motion by 1e-12 of that in a step. All that changes in a mechanism at rest is round-off, wherever it is.
 inline double negligible_energy(const World& world) {
   const double g = norm(world.settings.gravity);
   double sum = 0.0;
+  if (world.forces)
+    for (const Receiver& r : world.forces->receivers)  // of what there was before the last edit
+      if (const auto k = static_cast<std::size_t>(r.articulate); r.articulate >= 0 && k < world.articulates.size())
+        sum += 1e-8 * norm(r.force + r.nonconservative_force) * world.articulates[k]->length;
   for (const auto& a : world.articulates) {
     const double speed = 1e-12 * a->length / world.settings.step;
     sum += a->total_mass * (1e-8 * g * a->length + 0.5 * speed * speed);

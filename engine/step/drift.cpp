@@ -1,3 +1,4 @@
+#include "articulates/build/build.hpp"
 #include "articulates/solve/drift.hpp"
 
 #include <algorithm>
@@ -243,6 +244,7 @@ void drift_articulates(World& world, Move move) {
             load(articulate, world, world.settings.gravity);
           else
             load_conditions(articulate, world);
+          if (articulate.length_of_motion) grow_length_of_motion(articulate, world.settings.step);
         }
         begin_report(articulate);
         move(articulate, worker);

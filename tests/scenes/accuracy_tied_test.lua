@@ -166,3 +166,52 @@ test("a mechanism that is held at rest has no energy error, at height 0 and with
     end
   end
 end)
+
+test("planets about a nailed sun take the sub-steps of planets about a free one", function()
+  for _, at in ipairs { 0, 1, 1000 } do
+    local scene = open_text(([[
+      scene.gravity, scene.accuracy = vec(0, 0, 0), 1e-4
+      local family = scene:family("planets", {})
+      local o = vec(%g, 0, 0)
+      scene:nail(scene:particle { family = family, mass = 1000, at = o })
+      for i = 1, 3 do
+        scene:particle { family = family, mass = 1, at = o + vec(i, 0, 0), velocity = vec(0, i ^ -0.5, 0) }
+      end
+      scene:interact(family, family, force.gravitation { constant = 1e-3 })
+    ]]):format(at))
+    scene:advance(5)
+    expect(scene.stats.most_sub_steps):equal(1)
+    expect(scene.stats.missed_accuracy):equal(0)
+    expect(scene.stats.fallback_steps):equal(0)
+  end
+end)
+
+test("a force of time on what is held is no error", function()
+  local scene = open_text [[
+    scene.gravity, scene.accuracy = vec(0, 0, 0), 1e-4
+    scene:nail(scene:particle { mass = 1, at = vec(1, 0, 0) })
+    scene:follow(scene:particle { mass = 1, at = vec(2, 0, 0) }, function(t) return vec(2, 0.1 * t, 0) end)
+    scene:on_plane(scene:particle { mass = 1, at = vec(3, 0, 0) }, { normal = vec(1, 0, 0) })
+    scene:field(scene, force.point { force = function(p, own, t) return vec(60 * math.cos(25 * t), 0, 0) end })
+  ]]
+  scene:advance(1)
+  expect(scene.stats.most_sub_steps):equal(1)
+  expect(scene.stats.missed_accuracy):equal(0)
+end)
+
+test("what a plane holds takes the sub-steps of what moves in it freely", function()
+  local function run(tie)
+    local scene = open_text([[
+      scene.gravity, scene.accuracy = vec(0, 0, 0), 1e-4
+      local p = scene:particle { mass = 1, at = vec(1, 0, 0), velocity = vec(0, 0.7, 0), name = "p" }
+      scene:field(scene, force.point {
+        potential = function(q) return 4 * q.position.x ^ 4 + 30 * q.position.y ^ 4 end })
+    ]] .. tie)
+    scene:advance(4)
+    return scene
+  end
+  local held, free = run "scene:on_plane(p, { normal = vec(0, 0, 1) })", run ""
+  expect(held.stats.most_sub_steps):equal(free.stats.most_sub_steps)
+  expect(held.stats.missed_accuracy):equal(0)
+  expect(held:find("p").position):near(free:find("p").position, 1e-12)
+end)

@@ -290,3 +290,22 @@ test("a limit is met without a bounce beside a thermostat too", function()
     expect(math.abs(scene:find("bob").velocity.x)):below(1e-6)
   end
 end)
+
+test("a force on what is held at the origin, where nothing has a length and nothing falls, is borne and told exactly", function()
+  for _, tie in ipairs { "scene:nail(p)", "scene:on_plane(p, { normal = vec(1, 0, 0) })",
+                         "scene:follow(p, function(t) return vec(0, 0, 0) end)" } do
+    for _, pull in ipairs { 1e-6, 10, 1e6 } do
+      local way = pull / 1e-3 / 240 ^ 2  -- m, in a step of 1/240 s, were it free
+      local scene = open_text(([[
+        scene.gravity = vec(0, 0, 0)
+        local p = scene:particle { mass = 1e-3, at = vec(0, 0, 0), name = "p" }
+        scene:field(scene, force.point { potential = function(q) return -%g * q.position.x end })
+      ]]):format(pull) .. tie)
+      scene:advance(0.5)
+      expect(scene.stats.fallback_steps):equal(0)
+      expect(scene.error.worst_energy):below(1e-4)
+      expect(scene:find("p").position:length()):below(1e-12 * way)
+      expect(scene:find("p").velocity:length()):below(1e-12 * way)
+    end
+  end
+end)

@@ -56,5 +56,8 @@ void find_dimensions(Articulate& articulate, const Model& model);
 /// node goes in 256 steps, remembered as long; at least what gravity moves in one, and 1e-6 of its distance from the origin,
 /// which is round-off. 1 m for what rests there.
 void find_length_of_motion(Articulate& articulate, const Model& model, Vec3 gravity, double step);
+/// At least as far as its nodes would go in a step [s] from what they are kicked to: where they are held, nothing else tells what
+/// is much for them.
+void grow_length_of_motion(Articulate& articulate, double step);
 
 }  // namespace pantin

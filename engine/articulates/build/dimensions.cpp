@@ -127,16 +127,32 @@ void find_dimensions(Articulate& a, const Model& model) {
   a.epsilon = std::min(a.epsilon, a.most_epsilon);
 }
 
-void find_length_of_motion(Articulate& a, const Model& model, Vec3 gravity, double step) {
-  constexpr double steps = 256.0, round_off = 1e-6;
-  double length = std::max((1.0 - 1.0 / steps) * *a.length_of_motion, norm(gravity) * step * step);
-  for (Node n : a.nodes) {
-    load(n, model, gravity);
-    length = std::max({length, round_off * norm(n.x0), steps * step * norm(n.p0) * n.inverse_mass});
-  }
+namespace {
+
+constexpr double steps_of_motion = 256.0;
+
+void set_length_of_motion(Articulate& a, double length) {
   a.length_of_motion = length;
   a.length = length > 0.0 ? length : 1.0;
   find_reaches(a);
+}
+
+}  // namespace
+
+void find_length_of_motion(Articulate& a, const Model& model, Vec3 gravity, double step) {
+  constexpr double round_off = 1e-6;
+  double length = std::max((1.0 - 1.0 / steps_of_motion) * *a.length_of_motion, norm(gravity) * step * step);
+  for (Node n : a.nodes) {
+    load(n, model, gravity);
+    length = std::max({length, round_off * norm(n.x0), steps_of_motion * step * norm(n.p0) * n.inverse_mass});
+  }
+  set_length_of_motion(a, length);
+}
+
+void grow_length_of_motion(Articulate& a, double step) {
+  double length = *a.length_of_motion;
+  for (const Node& n : a.nodes) length = std::max(length, step * norm(n.p0) * n.inverse_mass);
+  if (length > *a.length_of_motion) set_length_of_motion(a, length);
 }
 
 }  // namespace pantin
