@@ -17,7 +17,8 @@ std::optional<std::uint32_t> thing_of(const Model& m, PointId id) {
   return solid_of(m, point) ? std::optional(point_thing(id.slot - 1)) : std::nullopt;
 }
 
-/// Things that do not collide: bodies that a hinge or a weld ties, points in a hinge, points that a rod ties.
+/// Things that do not collide: bodies that a hinge or a weld ties or a join draws together, points in a hinge or a join, points
+/// that a rod ties.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_things(const Model& m) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const auto add = [&](PointId i, PointId j) {
@@ -38,6 +39,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_things(const Model& m)
     if (!c.enabled) continue;
     if (c.is<WeldData>() && c.body_a && c.body_b && c.body_a != c.body_b)
       pairs.push_back(std::minmax(c.body_a.slot - 1, c.body_b.slot - 1));
+    if (c.kind == ConstraintKind::join) add(c.a, c.b);
     if (m.solids && c.kind == ConstraintKind::rod && c.b && !m.points[c.a].body && !m.points[c.b].body) add(c.a, c.b);
   }
   std::sort(pairs.begin(), pairs.end());

@@ -143,8 +143,9 @@ bool acting_now(const World& world);
 /// either. Throws Error where a law reads what a particle has not. Where connections were found too stiff for explicit
 /// steps, `force_elements_changed` is set again: articulates are to be found anew first.
 void refresh_laws(World& world);
-/// Warns of laws that go by mass and act on points of bodies that have none, once for each field and interaction.
-void tell_massless(World& world);
+/// Warns of laws that do nothing to what they are to act on, once for each field and interaction: laws that go by mass, on
+/// points of bodies that have none, and fields on bodies without points.
+void tell_idle(World& world);
 /// Reads where particles now are, and finds the pairs anew once something has moved too far.
 void renew_pairs(World& world);
 /// Forces of the present state, after a drift.

@@ -186,7 +186,8 @@ Accuracy accuracy(const World& world) {
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
   a.penetration = penetration(world.contacts);
-  const Energy now = energy(world);
+  Energy now = mechanical_energy(world);
+  if (acting_now(world)) now.potential += law_energy(world);  // else it is out of the balance until the next step
   if (const double scale = energy_scale(world, now); scale > 0.0 && world.steps > 0)
     a.energy = (std::fabs(now.total() - world.start_energy - world.work) + std::fabs(missed_work(world))) / scale;
   return a;

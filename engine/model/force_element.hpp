@@ -43,7 +43,7 @@ struct Connection : ForceElement {
 
 struct Interaction : ForceElement {
   FamilyId a, b;
-  bool told_massless = false;  ///< that it goes by mass and acts on points without
+  bool told_idle = false;  ///< that it does nothing to what it is to act on
 };
 
 struct Group;
@@ -52,7 +52,7 @@ using GroupId = Handle<Group>;
 struct Field : ForceElement {
   FamilyId family;             ///< of its particles; or
   GroupId group;               ///< they are a group's members; neither: all particles
-  bool told_massless = false;  ///< that it goes by mass and acts on points without
+  bool told_idle = false;  ///< that it does nothing to what it is to act on
 };
 
 using ConnectionId = Handle<Connection>;

@@ -208,8 +208,8 @@ inline auto own_fields(Connection& c) {
   return std::tie(c.particles, c.count, c.positions, c.max_force, c.max_length, c.asked, c.solve, c.too_stiff,
                   c.tension);
 }
-inline auto own_fields(Interaction& i) { return std::tie(i.a, i.b, i.told_massless); }
-inline auto own_fields(Field& f) { return std::tie(f.family, f.group, f.told_massless); }
+inline auto own_fields(Interaction& i) { return std::tie(i.a, i.b, i.told_idle); }
+inline auto own_fields(Field& f) { return std::tie(f.family, f.group, f.told_idle); }
 
 inline Model& base_of(WorldData& w) { return w; }
 inline ArticulateState& base_of(Articulate& a) { return a; }

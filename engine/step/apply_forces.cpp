@@ -35,7 +35,7 @@ void refresh_forces(World& world) {
     }
     if (!anew) return;
     wake_pulled(world);
-    tell_massless(world);
+    tell_idle(world);
   } catch (const Error& error) {
     world.failure = error.what();
     log_line(world, "failure", world.failure);

@@ -92,7 +92,12 @@ void post_work(World& world, const DriftReport& report) {
   post(world, Source::limit, report.limit);
 }
 
-/// What the energies of solved laws gave.
+/// What begins so is told once of a scene.
+void tell_once(World& world, const std::string& kind, const std::string& what, const std::string& rest) {
+  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, kind, what + rest);
+}
+
 /// The first thing of an articulate, for whoever reads of it.
 std::string first_of(const World& world, const Articulate& articulate) {
   const Node& n = articulate.nodes[0];
@@ -116,7 +121,7 @@ void count(World& world, const Articulate& articulate) {
   post(world, Source::edit, report.after_edit);
   post_report(world, report);
   if (report.offsets_accepted > 0)
-    log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
+    tell_once(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges", "");
   if (report.unreached > 0.0)
     tell_unreached(world, report.unreached, "the motion of what is tied to " + first_of(world, articulate));
 }
@@ -125,11 +130,6 @@ void count(World& world, const Articulate& articulate) {
 std::string describe_tie(const World& world, const Articulate& articulate, const Row& row) {
   if (row.condition < 0) return describe(world, world.points[row.member].particle);
   return describe(world, condition(articulate, row).constraint);
-}
-
-void warn_once(World& world, const std::string& what, const std::string& rest) {
-  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
-  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what + rest);
 }
 
 /// Names, once, a motor of unlimited torque that stands against a limit.
@@ -141,7 +141,7 @@ void tell_stalled(World& world, const Articulate& a) {
   if (limit == nullptr) return;
   for (const Condition& c : a.conditions)
     if (std::isfinite(c.stall_force) && std::isinf(c.upper))
-      warn_once(world, text(describe_tie(world, a, row(a, c)), " stalls: "),
+      tell_once(world, "warning", text(describe_tie(world, a, row(a, c)), " stalls: "),
                 text(describe_tie(world, a, *limit), " does not let it turn"));
 }
 
@@ -160,7 +160,7 @@ void tell_open(World& world, Articulate& a) {
   }
   if (worst == nullptr) return;
   const std::string what = describe_tie(world, a, *worst) + " cannot be kept: ";
-  warn_once(world, what,
+  tell_once(world, "warning", what,
             text("it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
 }
 

@@ -400,3 +400,44 @@ test("a law that goes by mass and acts on points of a body that have none is tol
   expect(#warnings(anchors .. "scene:field(scene, force.drag { linear = 1 })")):equal(0)
   expect(#warnings(anchors .. "scene:field(scene, force.point { force = function(p) return vec(0, -p.mass, 0) end })")):equal(1)
 end)
+
+test("a field on a body without points does nothing and is told, once", function()
+  local function warnings(source)
+    local scene = open_text("local box = scene:box { size = 0.2, mass = 1, name = 'box' }\n" .. source
+      .. "\nscene:on('step', function() scene:ball { radius = 0.1, at = vec(0, 9 * scene.stats.steps, 0) } end)")
+    for _ = 1, 3 do scene:step() end
+    local list = {}
+    for _, line in ipairs(scene.log) do if line.kind == "warning" then list[#list + 1] = line.text end end
+    return list
+  end
+  local drag = "force.drag { linear = 10 })"
+  for _, on in ipairs { "scene:field(scene, ", "local g = scene:group 'g' g:add(box) scene:field(g, " } do
+    local told = warnings(on .. drag)
+    expect(#told):equal(1)
+    expect(told[1]):equal("text.lua:2: drag: laws act on particles, and body 'box' has no points, so it does nothing to it; give it one, as in points = { vec(0, 0, 0) }")
+  end
+  expect(#warnings("box:add_point { at = vec(0, 0, 0) }\nscene:field(scene, " .. drag)):equal(0)
+  expect(#warnings("scene:particle {}\nscene:field(scene, " .. drag)):equal(0)
+end)
+
+test("the error of the energy is told alike before and after an edit by which laws act anew", function()
+  for _, edit in ipairs { "scene:ball { radius = 0.1, at = vec(0, 9, 0) }", "q.position = vec(6, 0, 0)", "q:remove()",
+                          "scene:connect(p, q, force.spring { stiffness = 1 })", "p.mass = 2" } do
+    local scene = open_text([[
+      scene.gravity = vec(0, 0, 0)
+      local ions = scene:family("ions", { mass = 1, attributes = { charge = 1 } })
+      scene:interact(ions, ions, force.coulomb { constant = 10 })
+      local p = scene:particle { family = ions, at = vec(5, 0, 0) }
+      local q = scene:particle { family = ions, at = vec(7, 0, 0) }
+      scene:at(0.1, function()
+        ]] .. edit .. [[
+
+        scene:result("energy", scene.error.energy)
+        scene:result("worst", scene.error.worst_energy)
+      end)
+    ]])
+    scene:advance(0.2)
+    expect(scene:result "energy"):below(1e-4)
+    expect(scene:result "worst"):below(1e-4)
+  end
+end)

@@ -205,3 +205,25 @@ test("a drum takes up a chain that lies on the floor, with a ball at its end, an
   expect(scene.error.worst_penetration):below(0.003)
   expect(scene.error.worst_energy):below(0.001)
 end)
+
+test("two boxes whose corners are joined round their sides meet without touching: momenta are kept, work is small", function()
+  for _, hertz in ipairs { 60, 240, 1000 } do
+    for _, options in ipairs { "{}", "{ max_force = 2 }" } do
+      local scene = open_text(([[
+        scene.gravity, scene.step = vec(0, 0, 0), 1 / %d
+        local points = { far = vec(0.5, 0.1, 0) }
+        local a = scene:box { size = vec(1, 0.2, 0.2), mass = 1, points = points }
+        local b = scene:box { size = vec(1, 0.2, 0.2), mass = 2, points = points, at = vec(1.5, 0.6, 0) }
+        scene:join(a.far, b.far, %s)
+      ]]):format(hertz, options))
+      for _ = 1, 40 do
+        scene:advance(0.1)
+        expect(scene.angular_momentum:length()):below(1e-12)
+        expect(scene.momentum:length()):below(1e-12)
+      end
+      expect(scene.ledger.hand):below(5)
+      expect(scene.error.worst_energy):below(1e-4)
+      expect(#scene.hinges):equal(1)
+    end
+  end
+end)

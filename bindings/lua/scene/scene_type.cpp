@@ -208,7 +208,7 @@ std::vector<Method> forcing() {
        "A law between all pairs of two families, or within one.",
        "scene:interact(ions, ions, force.coulomb { constant = 1, cutoff = 5 })"},
       {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
-       "A law on each particle of a family, of a group or of the scene.",
+       "A law on each particle of a family, of a group or of the scene. Of bodies it acts on their points alone.",
        "scene:field(scene, force.drag { linear = 0.1 })\n"
        "scene:field(ions, force.point { force = function(p) return vec(p.charge, 0, 0) end })"},
   };

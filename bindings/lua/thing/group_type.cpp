@@ -141,7 +141,10 @@ Type make_group_type() {
        "scene:connect(p, q, spring)\n"
        "group:break_connections()"},
       {"heat", guard<group_heat>, "energy: number [J]", "",
-       "Adds kinetic energy relative to the common motion; a negative one cools.", "group:heat(5)"},
+       "Adds kinetic energy relative to the common motion; a negative one cools. What moves goes on faster or slower; "
+       "what rests gets random velocities, of which the next step takes what ties forbid (in the ledger's `edit`): "
+       "heat again for the rest.",
+       "group:heat(5)"},
       {"bounds", guard<bounds_of>, "", "vec, vec", "Lower and upper corner [m] of the box round all its points.",
        "local lower, upper = group:bounds()"},
       {"clusters", guard<clusters_of>, "distance: number [m]", "Thing[][]",

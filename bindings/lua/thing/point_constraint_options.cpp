@@ -177,7 +177,8 @@ const ConstraintCall join_call = {
      "within "
      "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
      "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
-     "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.",
+     "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs. The two do "
+     "not touch each other on the way.",
      "scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })"},
     "what is still apart",
     R"(---@class JoinOptions

@@ -1,4 +1,4 @@
-// Laws that go by the mass of what they act on, given points that have none.
+// Laws that do nothing to what they are to act on: by the mass of points that have none, or on bodies without points.
 #include <algorithm>
 #include <numeric>
 
@@ -38,11 +38,11 @@ void look(World& world, const Acting& acting, Row& row, const AlignedVector<doub
   const Forces& f = *world.forces;
   std::vector<std::uint32_t> all(f.sites.n);
   std::iota(all.begin(), all.end(), 0u);
-  for (std::uint8_t who = 0; who < acting.law->count && !row.told_massless; who++) {
+  for (std::uint8_t who = 0; who < acting.law->count && !row.told_idle; who++) {
     if (!goes_by_mass(*acting.law, who)) continue;
     const BodyId body = massless_body(world, f, acting.sites_of(world, f, who, all), mass);
     if (!body) continue;
-    row.told_massless = true;
+    row.told_idle = true;
     log_line(
         world, "warning",
         text(law_in_place(row), ": it goes by the mass of points, and those of ", describe(world, body),
@@ -51,9 +51,43 @@ void look(World& world, const Acting& acting, Row& row, const AlignedVector<doub
   }
 }
 
+/// The first of the bodies in a group, or in those that it holds, that has no point; or null.
+BodyId body_without_points(const World& world, GroupId group) {
+  for (const AnyId& member : world.groups[group].members) {
+    if (!alive(world, member)) continue;
+    BodyId found;
+    if (const auto* body = std::get_if<BodyId>(&member); body && world.bodies[*body].points.empty()) found = *body;
+    if (const auto* inner = std::get_if<GroupId>(&member)) found = body_without_points(world, *inner);
+    if (found) return found;
+  }
+  return {};
+}
+
+/// The same of what a field is to act on; of one on all of the scene where there is nothing that it acts on.
+BodyId body_without_points(const World& world, const Field& field) {
+  if (field.family) return {};
+  if (field.group) return world.groups.alive(field.group) ? body_without_points(world, field.group) : BodyId{};
+  return world.particles.size() > 0 ? BodyId{} : world.bodies.ids().front();
+}
+
+void tell_without_points(World& world) {
+  if (world.bodies.size() == 0) return;
+  for (const FieldId id : world.fields.ids()) {
+    Field& field = world.fields[id];
+    if (field.told_idle || !field.enabled) continue;
+    const BodyId body = body_without_points(world, field);
+    if (!body) continue;
+    field.told_idle = true;
+    log_line(world, "warning",
+             text(law_in_place(field), ": laws act on particles, and ", describe(world, body),
+                  " has no points, so it does nothing to it; give it one, as in points = { vec(0, 0, 0) }"));
+  }
+}
+
 }  // namespace
 
-void tell_massless(World& world) {
+void tell_idle(World& world) {
+  tell_without_points(world);
   if (!world.forces) return;
   const Forces& f = *world.forces;
   const auto& names = f.sites.names;
