@@ -595,7 +595,7 @@ function Group:cut_hinges() end
 ---group:break_connections()
 ---```
 function Group:break_connections() end
----Adds kinetic energy relative to the common motion; a negative one cools.
+---Adds kinetic energy relative to the common motion; a negative one cools. What moves goes on faster or slower; what rests gets random velocities, of which the next step takes what ties forbid (in the ledger's `edit`): heat again for the rest.
 ---```lua
 ---group:heat(5)
 ---```
@@ -1210,7 +1210,7 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
----Draws two points together, at a position or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.
+---Draws two points together, at a position or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs. The two do not touch each other on the way.
 ---```lua
 ---scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })
 ---```
@@ -1285,7 +1285,7 @@ function Scene:bonding(options) end
 ---@param law Law
 ---@return Interaction
 function Scene:interact(a, b, law) end
----A law on each particle of a family, of a group or of the scene.
+---A law on each particle of a family, of a group or of the scene. Of bodies it acts on their points alone.
 ---```lua
 ---scene:field(scene, force.drag { linear = 0.1 })
 ---scene:field(ions, force.point { force = function(p) return vec(p.charge, 0, 0) end })

@@ -56,8 +56,8 @@ int sort(lua_State* state) {
   lua_settop(state, less);
   const lua_Integer count = luaL_len(state, sorted);
   luaL_argcheck(state, count < (lua_Integer{1} << 30), sorted, "the list is too long");
-  lua_createtable(state, static_cast<int>(count), 0);
-  lua_createtable(state, static_cast<int>(count), 0);
+  constexpr lua_Integer at_once = 1 << 20;  // room for so many: memory is slow to come, and nobody stops it meanwhile
+  for (int i = 0; i < 2; i++) lua_createtable(state, static_cast<int>(std::min(count, at_once)), 0);
   Interruptible loop;
   for (lua_Integer i = 1; i <= count; i++) {
     loop.count();
