@@ -50,8 +50,8 @@ struct Group;
 using GroupId = Handle<Group>;
 
 struct Field : ForceElement {
-  FamilyId family;             ///< of its particles; or
-  GroupId group;               ///< they are a group's members; neither: all particles
+  FamilyId family;         ///< of its particles; or
+  GroupId group;           ///< they are a group's members; neither: all particles
   bool told_idle = false;  ///< that it does nothing to what it is to act on
 };
 

@@ -1,5 +1,5 @@
-#include "articulates/build/build.hpp"
 #include "articulates/solve/drift.hpp"
+#include "articulates/build/build.hpp"
 
 #include <algorithm>
 #include <array>
