@@ -56,3 +56,49 @@ test("what hangs on a point that stops at once turns on with its angular momentu
     expect(arm.spin.z):near(spin + 2 * reach.x * 2 / moment, 1e-9)
   end
 end)
+
+--- A spring elsewhere, for which the scene takes sub-steps.
+local elsewhere = [[
+  scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 60, 1e-4
+  scene:connect(scene:particle { at = vec(60, 0, 0) }, vec(61.5, 0, 0), force.spring { stiffness = 400, length = 1 })
+]]
+
+test("what follows a function of time bears the same force where the scene takes sub-steps", function()
+  local scene = open_text(elsewhere .. [[
+    local z = vec(0, 0, 1)
+    local function wheel(at)
+      local body = scene:body { at = at, mass = 1, inertia = vec(2, 2, 2), points = { centre = vec(0, 0, 0) } }
+      scene:nail(body.centre)
+      scene:align(body, z, z, { angle = 0 })
+      return body
+    end
+    local function mass(at) return scene:particle { mass = 2, at = at } end
+    local follow = scene:follow(mass(vec(0, 30, 0)), function(t) return vec(1.5 * t ^ 2, 30, 0) end)
+    local by_speed = scene:motor(wheel(vec(10, 0, 0)), { axis = z, speed = function(t) return 3 * t end })
+    local by_angle = scene:motor(wheel(vec(12, 0, 0)), { axis = z, angle = function(t) return 1.5 * t ^ 2 end })
+    local rod = scene:rod(mass(vec(20, -1, 0)), vec(20, 0, 0), function(t) return 1 + 1.5 * t ^ 2 end)
+    local box = scene:box { size = 1, density = 12, at = vec(30, 0, 0) }
+    local orient = scene:orient(box, function(t) return quat(z, 1.5 * t ^ 2) end)
+    local string = scene:string({ mass(vec(40, -3, 0)), vec(40, 0, 0) }, { length = function(t) return 3 - 1.5 * t ^ 2 end })
+    scene:probe("force", function() return follow.force.x - rod.force + string.force end)
+    scene:probe("torque", function() return by_speed.torque.z + by_angle.torque.z + orient.torque.z end)
+  ]])
+  scene:step()
+  for _ = 1, 20 do
+    scene:advance(3 / 60)
+    expect(scene.stats.sub_steps):above(1)
+    expect(scene:read "force"):near(18, 1e-3)
+    expect(scene:read "torque"):near(18, 0.2)
+  end
+end)
+
+test("what is drawn in takes no energy from nowhere where the scene takes sub-steps", function()
+  for _, tie in ipairs { "scene:nail(box.o, vec(1, 0, 0))", "scene:limit(box.o, vec(2, 0, 0), { max = 1 })",
+                         "scene:on_plane(box.o, { through = vec(0, 1, 0) })", "scene:follow(box.o, vec(1, 0, 0))",
+                         "scene:join(box.o, scene:box { size = 1, at = vec(3, 0, 0), mass = 2, points = { p = vec(-0.5, 0.2, 0) } }.p)" } do
+    local scene = open_text(elsewhere .. "local box = scene:box { size = vec(1, 1, 2), mass = 1, points = { o = vec(0, 0, 0) } }\n" .. tie)
+    scene:advance(1.5)
+    expect(scene.stats.most_sub_steps):above(1)
+    expect(scene.error.worst_energy):below(5e-3)
+  end
+end)

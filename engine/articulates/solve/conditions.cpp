@@ -51,22 +51,58 @@ void strengthen_stalled(Articulate& a, double step) {
   }
 }
 
+bool is_turned(const Condition& c) {
+  const Quat &a = c.whole_turn0, &b = c.whole_turn1;
+  return a.w != b.w || a.x != b.x || a.y != b.y || a.z != b.z;
+}
+
+Vec3 turn_in_step(const Condition& c) {
+  const Quat q = c.whole_turn1 * conjugate(c.whole_turn0);
+  const Vec3 axis = vec(q.x, q.y, q.z) * (q.w < 0.0 ? -1.0 : 1.0);
+  return direction(axis) * (2.0 * functions::atan2(norm(axis), std::fabs(q.w)));
+}
+
+namespace {
+
+/// How far what is prescribed is off the straight way between the ends of the step, over s (1 - s) at the part s of it: its rate
+/// changes evenly from what it must have been at the start, by its mean, to what it is at the end. Where it is bent otherwise, or a
+/// speed, none.
+struct Bow {
+  Vec3 position = zero3(), turn = zero3();  // [m], [rad]
+  double value = 0.0;
+};
+
+Bow bow_of(const Condition& c, double lever, double step) {
+  if (c.bent != Bent::nothing || c.by_speed) return {};
+  Bow bow;
+  bow.value = displacement_of(c) - c.value_rate * step;
+  if (lever == 0.0)
+    bow.position = c.whole1 - c.whole0 - c.velocity * step;
+  else if (is_turned(c))
+    bow.turn = turn_in_step(c) - c.velocity * (step / lever);
+  return bow;
+}
+
+}  // namespace
+
 double speed(const Condition& c, double at) {
   return c.start_rate + (c.value_rate - c.start_rate) * at + c.bend.at(at)[0];
 }
 
 void set_conditions(Articulate& a, double step, double from, double to) {
+  const double off_from = from * (1.0 - from), off_to = to * (1.0 - to);
   for (Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    const Bow bow = off_from == 0.0 && off_to == 0.0 ? Bow{} : bow_of(c, r.lever, step);
     const Vec3 displacement = c.whole1 - c.whole0;
-    c.position0 = c.whole0 + displacement * from;
-    c.position1 = to == 1.0 ? c.whole1 : c.whole0 + displacement * to;
-    c.kept_value = to == 1.0 ? c.whole_value1 : c.whole_value0 + (c.whole_value1 - c.whole_value0) * to;
+    c.position0 = c.whole0 + displacement * from + bow.position * off_from;
+    c.position1 = to == 1.0 ? c.whole1 : c.whole0 + displacement * to + bow.position * off_to;
+    c.kept_value = to == 1.0 ? c.whole_value1 : c.whole_value0 + displacement_of(c) * to + bow.value * off_to;
     if (c.bent == Bent::position) {
       c.position0 += c.bend.at(from);
       c.position1 += c.bend.at(to);
     }
     if (c.bent == Bent::value && !c.by_speed) c.kept_value += c.bend.at(to)[0];
-    const Row& r = row(a, c);
     if (r.lever == 0.0) continue;
     if (c.by_speed)
       c.kept_value =
@@ -74,6 +110,10 @@ void set_conditions(Articulate& a, double step, double from, double to) {
           (c.angle0 + 2.0 * functions::atan(0.5 * step * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
     c.turn0 = between(c.whole_turn0, c.whole_turn1, from);
     c.turn1 = between(c.whole_turn0, c.whole_turn1, to);
+    if (norm2(bow.turn) > 0.0) {
+      c.turn0 = quaternion_of(bow.turn * off_from) * c.turn0;
+      c.turn1 = quaternion_of(bow.turn * off_to) * c.turn1;
+    }
     if (c.bent == Bent::turn) {
       c.turn0 = quaternion_of(c.bend.at(from)) * c.turn0;
       c.turn1 = quaternion_of(c.bend.at(to)) * c.turn1;

@@ -18,6 +18,9 @@ bool stall_motors(Articulate& articulate, double step);
 void strengthen_stalled(Articulate& articulate, double step);
 /// What a motor by speed wants at a moment `at` (0 … 1) of the step, [m/s].
 double speed(const Condition& condition, double at);
+/// Whether an orientation that is prescribed turns in the step, and by what vector of rotation [rad].
+bool is_turned(const Condition& condition);
+Vec3 turn_in_step(const Condition& condition);
 /// Sets what is prescribed for the part from … to (0 … 1) of a step of `step` [s].
 void set_conditions(Articulate& articulate, double step, double from, double to);
 

@@ -2,6 +2,7 @@
 #include "articulates/fetch.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "articulates/solve/conditions.hpp"
@@ -304,6 +305,8 @@ void let_overdriven_give_way(Articulate& a, double h) {
 }  // namespace
 
 void project_articulate(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  std::optional<WantedVelocities> as_now;
+  if (settings.to != 1.0) as_now.emplace(a, settings.step, settings.to);
   a.symmetric_h = 0.0;
   const bool at_distance = acts_at_distance(a);
   Momenta momenta = at_distance ? momenta_of(a) : Momenta{};

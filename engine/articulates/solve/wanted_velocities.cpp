@@ -24,11 +24,12 @@ void want(Condition& c, double lever, double step, double at) {
     return;
   }
   add_bend(c, lever, -1.0 / step, 1.0);
-  if (lever == 0.0) {
-    const Vec3 start = (c.whole1 - c.whole0) / step * 2.0 - c.velocity;
-    const double start_rate = (c.whole_value1 - c.whole_value0) / step * 2.0 - c.value_rate;
+  const double start_rate = (c.whole_value1 - c.whole_value0) / step * 2.0 - c.value_rate;
+  c.value_rate = start_rate + (c.value_rate - start_rate) * at;
+  if (lever == 0.0 || is_turned(c)) {
+    const Vec3 mean = lever == 0.0 ? (c.whole1 - c.whole0) / step : turn_in_step(c) * (lever / step);
+    const Vec3 start = mean * 2.0 - c.velocity;
     c.velocity = start + (c.velocity - start) * at;
-    c.value_rate = start_rate + (c.value_rate - start_rate) * at;
   }
   add_bend(c, lever, 1.0 / step, at);
 }
