@@ -38,7 +38,10 @@ Table ledger(const World& world) {
   Table table = {
       {"laws", table_of_numbers(laws.given)}, {"without_energy", std::move(without_energy)}, {"open", laws.open}};
   const Ledger& kept = world.ledger;
-  for (std::size_t i = 0; i < source_names.size(); i++) table.push_back({std::string(source_names[i]), kept.given[i]});
+  std::array<double, source_names.size()> given = kept.given;
+  if (world.steps > 0 && !acting_now(world))  // the next step brings it in again
+    given[static_cast<std::size_t>(Source::law)] += law_energy(world);
+  for (std::size_t i = 0; i < source_names.size(); i++) table.push_back({std::string(source_names[i]), given[i]});
   if (!kept.kept) return table;
   table.push_back({"since", kept.since});
   table.push_back({"gravity", kept.gravity});

@@ -434,10 +434,12 @@ test("the error of the energy is told alike before and after an edit by which la
 
         scene:result("energy", scene.error.energy)
         scene:result("worst", scene.error.worst_energy)
+        scene:result("laws", scene.ledger.law_edit)
       end)
     ]])
     scene:advance(0.2)
     expect(scene:result "energy"):below(1e-4)
     expect(scene:result "worst"):below(1e-4)
+    expect(scene:result "laws"):near(scene.ledger.law_edit, 1e-9)
   end
 end)
