@@ -102,3 +102,17 @@ test("what is drawn in takes no energy from nowhere where the scene takes sub-st
     expect(scene.error.worst_energy):below(5e-3)
   end
 end)
+
+test("an angle that is drawn in from its making on takes its energy from the tie alone", function()
+  for _, tie in ipairs { "scene:orient(box, quat(z, 1))", "scene:align(box, vec(1, 0, 0), vec(1, 0, 0), { angle = 1 })",
+                         "scene:nail(box.o) scene:align(box, z, z, { angle = 0 }) scene:motor(box, { axis = z, angle = 1 })",
+                         "scene:nail(box.o) scene:align(box, z, z, { angle = 0 }) scene:limit(box, { axis = z, min = 1, max = 2 })" } do
+    local scene = open_text([[
+      scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
+      local z = vec(0, 0, 1)
+      local box = scene:box { size = vec(1, 1, 2), mass = 1, points = { o = vec(0, 0, 0) } }
+    ]] .. tie)
+    scene:advance(2)
+    expect(scene.error.worst_energy):below(1e-3)
+  end
+end)
