@@ -1,5 +1,7 @@
 // Constraints and hinges that bear only so much.
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
@@ -47,6 +49,24 @@ double time_since(const World& world, double before, double load, double borne) 
   const double h = world.settings.step, more = load - before;
   if (!(before <= borne) || !(more < 0.5 * borne) || !(more > 0.0)) return 0.0;
   return h * (0.5 + (load - borne) / more);
+}
+
+/// Of hinges of more than two: rows tie each other member to one, which bears what they bear together.
+void find_overloads_of_stars(const World& world, const Articulate& a, Overloads& found) {
+  std::map<std::uint32_t, std::pair<ParticleId, Vec3>> loads;  // by the slot of the point that others are tied to
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    if (row.condition >= 0 || !row.star_point) continue;
+    const ParticleId ring = world.points[row.member].particle;
+    if (world.particles[ring].points.size() < 3 || std::isinf(world.particles[ring].breaks_at.force)) continue;
+    auto& [of, load] = loads.try_emplace(row.star_point.slot, ring, zero3()).first->second;
+    load += exerted_force(a, k);
+  }
+  for (const auto& [slot, of] : loads) {
+    const double load = norm(of.second);
+    const bool too_much = load > world.particles[of.first].breaks_at.force;
+    note(found.hinges, {of.first, load, text("its load of ", load, " N"), 0.0}, too_much);
+  }
 }
 
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
@@ -174,8 +194,11 @@ void set_enabled(World& world, ParticleId id, bool enabled) {
 
 void break_constraints(World& world) {
   Overloads found;
-  for (const auto& articulate : world.articulates)
-    if (articulate->breakable) find_overloads(world, *articulate, found);
+  for (const auto& articulate : world.articulates) {
+    if (!articulate->breakable) continue;
+    find_overloads(world, *articulate, found);
+    find_overloads_of_stars(world, *articulate, found);
+  }
   for (const auto& articulate : world.articulates) {
     if (!articulate->breakable) continue;
     if (!found.constraints.empty() || !found.hinges.empty()) take_back(world, *articulate, found);

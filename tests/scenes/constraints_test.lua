@@ -309,3 +309,32 @@ test("a force on what is held at the origin, where nothing has a length and noth
     end
   end
 end)
+
+test("a hinge of three breaks by what the member bears that the other two hold", function()
+  local function holds(limit)
+    local scene = open_text(([[
+      local function link(x)
+        local link = scene:body { at = vec(x / 2, 0.5, 0), mass = 0.01, inertia = vec(1, 1, 1) * 1e-3,
+                                  points = { top = vec(x / 2, 0.5, 0), foot = vec(-x / 2, -0.5, 0) } }
+        scene:nail(link.top)
+        return link
+      end
+      local left, right = link(0.2), link(-0.2)
+      local bob = scene:body { at = vec(0, -1, 0), mass = 6, inertia = vec(1, 1, 1), points = { top = vec(0, 1, 0) } }
+      local hinge = scene:hinge(left.foot, right.foot, bob.top, { name = "hinge", breaks_at = { force = %g } })
+      scene:at(0.4, function()
+        scene:result("holds", hinge.alive and hinge.is_hinge and 1 or 0)
+        if hinge.alive and hinge.is_hinge then scene:result("load", hinge:force(bob):length()) end
+      end)
+    ]]):format(limit))
+    scene:advance(0.5)
+    return scene:result "holds" == 1, scene
+  end
+  local whole, scene = holds(60)
+  expect(whole):is_true()
+  expect(scene:result "load"):near(6 * 9.81, 1e-6)
+  for _, limit in ipairs { 31, 40, 58 } do
+    local still = holds(limit)
+    expect(still):equal(false)
+  end
+end)
