@@ -6,6 +6,7 @@
 #include "edit/assemble.hpp"
 #include "edit/parts.hpp"
 #include "measure/measure.hpp"
+#include "measure/query.hpp"
 
 namespace pantin {
 
@@ -17,7 +18,7 @@ namespace {
 Things things_to_freeze(const World& world, GroupId group) {
   require(world.groups.alive(group), "freeze: ", world.groups.story(group));
   std::unordered_set<BodyId> members;
-  for (const AnyId& member : world.groups[group].members)
+  for (const AnyId& member : all_members(world, group))
     if (const auto* body = std::get_if<BodyId>(&member)) members.insert(*body);
   Things things = things_of(world, group);
   for (BodyId body : things.bodies)

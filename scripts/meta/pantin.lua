@@ -584,7 +584,7 @@ function Group:remove(thing, ...) end
 ---```
 ---@return fun(): Thing?
 function Group:each() end
----Cuts the hinges in the group and those between its bodies.
+---Cuts the hinges in the group and those between its bodies, of the groups in it, too.
 ---```lua
 ---scene:at(1, function() group:cut_hinges() end)
 ---```

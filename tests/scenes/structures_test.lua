@@ -104,3 +104,21 @@ test("a molecule joined with a shape is a shape; a lattice of loose ends alone i
   ]]
   expect(function() open_text [[structure.lattice { kind = "honeycomb" }]] end):fails("lattice: so few cells leave only loose ends")
 end)
+
+test("cutting hinges and freezing reach what is in groups of a group", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local function box(x, y, hinge) return scene:box { size = 1, at = vec(x, y, 0), points = { h = vec(hinge, 0, 0) } } end
+    local a, b, c, d = box(0, 0, 0.5), box(1, 0, -0.5), box(0, 9, 0.5), box(1, 9, -0.5)
+    scene:hinge(a.h, b.h)
+    local of_bodies = scene:group("outer"):add(scene:group("inner"):add(a, b))
+    local of_hinge = scene:group("outer of a hinge"):add(scene:group("inner of a hinge"):add(scene:hinge(c.h, d.h)))
+    scene:at(0.1, function() of_bodies:cut_hinges() scene:result("after bodies", #scene.hinges) end)
+    scene:at(0.2, function() of_hinge:cut_hinges() scene:result("after hinge", #scene.hinges) end)
+    scene:at(0.3, function() scene:freeze(of_bodies) scene:result("bodies", #scene.bodies) end)
+  ]]
+  scene:advance(0.4)
+  expect(scene:result "after bodies"):equal(1)
+  expect(scene:result "after hinge"):equal(0)
+  expect(scene:result "bodies"):equal(3)
+end)

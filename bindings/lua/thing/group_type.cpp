@@ -69,9 +69,9 @@ int each_member(lua_State* state) {
   return 1;
 }
 
-/// Hinges that are members, and those between two members.
+/// Hinges that are members, and those between two members; of groups in the group, too.
 std::vector<ParticleId> hinges_in(const Self& self) {
-  const std::vector<AnyId> members = living_members(self);
+  const std::vector<AnyId> members = all_members(self.world, group_id(self));
   std::vector<ParticleId> found;
   std::unordered_set<ParticleId> known;
   const auto keep = [&](ParticleId hinge) {
@@ -134,7 +134,8 @@ Type make_group_type() {
       {"each", guard<each_member>, "", "fun(): Thing?",
        "For loops: for thing in g:each() do … end. Goes over a copy and leaves out what died.",
        "for thing in group:each() do thing.data.found = true end"},
-      {"cut_hinges", guard<cut_hinges>, "", "", "Cuts the hinges in the group and those between its bodies.",
+      {"cut_hinges", guard<cut_hinges>, "", "",
+       "Cuts the hinges in the group and those between its bodies, of the groups in it, too.",
        "scene:at(1, function() group:cut_hinges() end)"},
       {"break_connections", guard<group_break_connections>, "", "",
        "Removes the connections in the group and those among its things.",
