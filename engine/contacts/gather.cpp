@@ -14,11 +14,11 @@ namespace pantin {
 
 namespace {
 
-constexpr double calm_way = 2e-3;        // of the reach, in a drift: of a calm island
-constexpr double calm_speed = 0.1;       // of what falls by about its reach
-constexpr double calm_fall = 0.2;        // of the speed of a drift's fall, which is farther than tiny things are large
+constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm island
+constexpr double calm_speed = 0.1;  // of what falls by about its reach
+constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
 constexpr double tolerance_of_fall = 1e-5;  // of the speed that gravity gives in a step: what rests would lose it else
-constexpr double swings_in_step = 0.05;  // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
+constexpr double swings_in_step = 0.05;     // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
 
 IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   IslandBody b;
