@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/functions.hpp"
+#include "base/rotation.hpp"
 #include "edit/common.hpp"
 #include "edit/life.hpp"
 #include "forces/curves.hpp"
@@ -86,18 +87,34 @@ Vec3 spread_out(const Plane& plane, Vec3 v, double spread, double u1, double u2)
   return (along * c + side * (s * functions::cos(angle)) + cross(along, side) * (s * functions::sin(angle))) * speed;
 }
 
-/// Where and how the emitter is at the start of the step.
+/// Where and how the emitter is at the start of the step, and on what it turns.
 struct Base {
   Vec3 x = zero3(), v = zero3();
+  Vec3 arm = zero3(), spin = zero3();
+
+  /// After a time [s], as what nothing pushes goes on.
+  Base after(double time) const {
+    const Vec3 turned = rotate(quaternion_of(spin * time), arm), centre = v - cross(spin, arm);
+    return {x + (centre * time + (turned - arm)), centre + cross(spin, turned), turned, spin};
+  }
 };
 
-/// Makes the particle that is born at `time` [s]; `now` and `end` are those of the step.
+Base base_of(const World& world, PointId point) {
+  Base base = {position(world, point), velocity(world, point)};
+  if (const BodyId body = world.points[point].body) {
+    base.arm = base.x - world.motion_of(body).x;
+    base.spin = angular_velocity(world.motion_of(body));
+  }
+  return base;
+}
+
+/// Makes the particle that is born at `time` [s], where the emitter is `base`; `end` is that of the step.
 void make(World& world, EmitterId id, const Base& base, double time, double end) {
   Emitter& e = world.emitters[id];
   Random random{Random{world.settings.seed, e.serial}.bits(), e.due * draws};
   e.due++;
   if (e.count >= e.max) return;
-  Vec3 at = base.x + base.v * (time - world.time);
+  Vec3 at = base.x;
   for (int i = 0; i < 3; i++) at[i] += e.lower[i] + (e.upper[i] - e.lower[i]) * random.uniform();
   const double u1 = random.uniform(), u2 = random.uniform();
   const Vec3 v = base.v + spread_out(world.plane, e.velocity, e.spread, u1, u2);
@@ -158,13 +175,14 @@ void emit(World& world, EmitterId id, double end) {
   const double due = e.rate * (reached - e.origin) + e.phase - static_cast<double>(e.since);
   require_few(world, describe(world, id), e, due);
   Base base;
-  if (e.point) base = {position(world, e.point), velocity(world, e.point)};
+  if (e.point) base = base_of(world, e.point);
   if (due >= 0.5 && e.rate > 0.0) disturb_forces_by_birth(world, e.family);
   while (e.rate > 0.0) {
     const double time = e.origin + (static_cast<double>(e.since + 1) - e.phase) / e.rate;
     if (!(time <= reached)) break;
     e.since++;
-    make(world, id, base, std::fmax(time, world.time), reached);
+    const double born = std::fmax(time, world.time);
+    make(world, id, base.after(born - world.time), born, reached);
   }
   if (e.rate_at) rebase(e, end);
 }

@@ -247,3 +247,26 @@ test("crane: it plays by itself, until somebody does", function()
   expect(crane:find("magnet").position.y):near(rests, 0.5)
   expect(crane:read "aboard"):equal(1)
 end)
+
+test("what an emitter on a turning body throws off leaves where and as fast as the body is at its birth", function()
+  for _, hertz in ipairs { 60, 240 } do
+    local scene = open_text(([[
+      scene.gravity, scene.step = vec(0, 0, 0), 1 / %d
+      local wheel = scene:box { size = 1, velocity = vec(3, 0, 0), spin = vec(0, 0, 10), points = { rim = vec(1, 0, 0) } }
+      scene:emitter { at = wheel.rim, rate = 47 }
+    ]]):format(hertz))
+    scene:advance(1)
+    local seen = 0
+    for _, p in ipairs(scene.particles) do
+      if not p.points[1].body then
+        local born = scene.time - p.age
+        local angle = 10 * born
+        local out, along = vec(math.cos(angle), math.sin(angle), 0), vec(-math.sin(angle), math.cos(angle), 0)
+        expect(p.velocity):near(vec(3, 0, 0) + 10 * along, 2e-2)
+        expect(p.position - p.velocity * p.age):near(vec(3 * born, 0, 0) + out, 2e-2)
+        seen = seen + 1
+      end
+    end
+    expect(seen):above(40)
+  end
+end)

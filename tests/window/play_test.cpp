@@ -66,13 +66,16 @@ class Play {
              folder.path,
              -1}),
         record_(folder / "play.rec") {
-    // It is called so once its scene is open; and a search fails while windows come and go.
+    // It is called so once its scene is open; and a search fails, or finds what is gone at once, while windows come and go.
     const std::vector<std::string> search = {"xdotool", "search", "--onlyvisible", "--name",
                                              "^Virtual chain - Pantin$"};
-    for (int i = 0; i < 300 && window_.empty(); i++) {
-      pause(0.1);
+    std::string before;
+    for (int i = 0; i < 150 && window_.empty(); i++) {
+      pause(0.2);
       const Finished found = finish({search, environment_, "", -1});
-      window_ = found.out.substr(0, found.out.find('\n'));
+      const std::string window = found.out.substr(0, found.out.find('\n'));
+      if (window == before) window_ = window;
+      before = window;
     }
     INFO(process_.err());
     REQUIRE_FALSE(window_.empty());
