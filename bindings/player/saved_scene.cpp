@@ -34,8 +34,7 @@ std::vector<BodyId> in_order_of_making(const World& world) {
 }
 
 bool at_rest_alike(const Motion& a, const Motion& b) {
-  return same(a.x, b.x) && same(a.p, b.p) && same(a.angular, b.angular) && a.mass == b.mass && a.q.w == b.q.w &&
-         a.q.x == b.q.x && a.q.y == b.q.y && a.q.z == b.q.z;
+  return same(a.x, b.x) && same(a.p, b.p) && same(a.angular, b.angular) && a.mass == b.mass && same(a.q, b.q);
 }
 
 /// What is not the same in what was opened again; empty where all is.

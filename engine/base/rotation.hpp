@@ -1,5 +1,7 @@
 #pragma once
 // Quaternions of turns.
+#include <cmath>
+
 #include "base/functions.hpp"
 #include "base/lanes.hpp"
 
@@ -12,5 +14,10 @@ inline Quat quaternion_of(Vec3 axis, double angle) {
 }
 /// Of a rotation vector [rad].
 inline Quat quaternion_of(Vec3 rotation) { return quaternion_of(direction(rotation), norm(rotation)); }
+/// The rotation vector [rad] of a turn, the shorter way.
+inline Vec3 rotation_vector(const Quat& q) {
+  const Vec3 axis = vec(q.x, q.y, q.z) * (q.w < 0.0 ? -1.0 : 1.0);
+  return direction(axis) * (2.0 * functions::atan2(norm(axis), std::fabs(q.w)));
+}
 
 }  // namespace pantin

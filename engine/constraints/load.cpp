@@ -9,8 +9,6 @@ namespace pantin {
 
 namespace {
 
-bool equal(const Quat& a, const Quat& b) { return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z; }
-
 /// Frames of the bodies to principal axes: `turn` of a constraint as one between the nodes.
 Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
   const Quat of_a = turn * model.bodies[c.body_a].axes;
@@ -43,12 +41,12 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
   condition.works_along_d =
       condition.works_along_d || condition.ranged || condition.whole_value0 != condition.whole_value1 ||
-      !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
+      !same(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
 }
 
 bool stays(double a, double b) { return a == b; }
 bool stays(Vec3 a, Vec3 b) { return same(a, b); }
-bool stays(const Quat& a, const Quat& b) { return equal(a, b); }
+bool stays(const Quat& a, const Quat& b) { return same(a, b); }
 bool is_zero(double rate) { return rate == 0.0; }
 bool is_zero(Vec3 rate) { return norm2(rate) == 0.0; }
 

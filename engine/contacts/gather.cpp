@@ -18,6 +18,7 @@ constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm islan
 constexpr double calm_speed = 0.1;  // of what falls by about its reach
 constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
 constexpr double tolerance_of_fall = 1e-5;  // of the speed that gravity gives in a step: what rests would lose it else
+constexpr double finest = 1e-3;             // of what it is else: more would be round-off where next to nothing falls
 constexpr double swings_in_step = 0.05;     // of what it ties, (ωh/2)²: a spring that a drift's end finds elsewhere
 
 IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
@@ -244,9 +245,9 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
       size = std::min(size, contacts.list[k].size);
     }
     island.problem.workers = &workers;
-    const double g = norm(settings.gravity), in_step = tolerance_of_fall * g * settings.h;
-    const double tolerance = contact_tolerance * size / settings.h;
-    island.problem.tolerance = g > 0.0 ? std::min(tolerance, in_step) : tolerance;
+    const double g = norm(settings.gravity), tolerance = contact_tolerance * size / settings.h;
+    island.problem.tolerance =
+        g > 0.0 ? std::clamp(tolerance_of_fall * g * settings.h, finest * tolerance, tolerance) : tolerance;
     island.problem.enough = swept_tolerance * size / settings.h;
     double mass = 0.0, reach = 0.0;
     for (const IslandBody& b : island.problem.bodies) mass += b.mass, reach += b.mass * b.reach;

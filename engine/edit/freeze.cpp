@@ -6,7 +6,6 @@
 #include "edit/assemble.hpp"
 #include "edit/parts.hpp"
 #include "measure/measure.hpp"
-#include "measure/query.hpp"
 
 namespace pantin {
 

@@ -53,13 +53,8 @@ void look(World& world, const Acting& acting, Row& row, const AlignedVector<doub
 
 /// The first of the bodies in a group, or in those that it holds, that has no point; or null.
 BodyId body_without_points(const World& world, GroupId group) {
-  for (const AnyId& member : world.groups[group].members) {
-    if (!alive(world, member)) continue;
-    BodyId found;
-    if (const auto* body = std::get_if<BodyId>(&member); body && world.bodies[*body].points.empty()) found = *body;
-    if (const auto* inner = std::get_if<GroupId>(&member)) found = body_without_points(world, *inner);
-    if (found) return found;
-  }
+  for (const AnyId& member : all_members(world, group))
+    if (const auto* body = std::get_if<BodyId>(&member); body && world.bodies[*body].points.empty()) return *body;
   return {};
 }
 

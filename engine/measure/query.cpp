@@ -75,19 +75,6 @@ std::vector<ParticleId> near(const World& world, Vec3 at, double radius) {
   return list;
 }
 
-std::vector<AnyId> all_members(const World& world, GroupId group) {
-  std::vector<AnyId> found;
-  const auto add = [&](const auto& self, GroupId of) -> void {
-    for (const AnyId& id : world.groups[of].members) {
-      if (!alive(world, id)) continue;
-      found.push_back(id);
-      if (const auto* inner = std::get_if<GroupId>(&id)) self(self, *inner);
-    }
-  };
-  add(add, group);
-  return found;
-}
-
 std::vector<ParticleId> hinges_of(const World& world, BodyId body) {
   std::vector<ParticleId> list;
   for (PointId p : world.bodies[body].points) {

@@ -14,8 +14,6 @@ std::vector<ParticleId> near(const World& world, Vec3 at, double radius);
 std::vector<ParticleId> particles(const World& world);
 std::vector<ParticleId> particles(const World& world, FamilyId family);
 std::vector<ParticleId> hinges(const World& world);
-/// Living members of a group, and those of groups among them.
-std::vector<AnyId> all_members(const World& world, GroupId group);
 /// Hinges that a body's points are in.
 std::vector<ParticleId> hinges_of(const World& world, BodyId body);
 /// Force of a hinge on one of its bodies in the last step, [N].

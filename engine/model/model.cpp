@@ -403,4 +403,17 @@ struct Alive {
 
 bool alive(const Model& m, const AnyId& id) { return std::visit(Alive{m}, id); }
 
+std::vector<AnyId> all_members(const Model& m, GroupId group) {
+  std::vector<AnyId> found;
+  const auto add = [&](const auto& self, GroupId of) -> void {
+    for (const AnyId& id : m.groups[of].members) {
+      if (!alive(m, id)) continue;
+      found.push_back(id);
+      if (const auto* inner = std::get_if<GroupId>(&id)) self(self, *inner);
+    }
+  };
+  add(add, group);
+  return found;
+}
+
 }  // namespace pantin

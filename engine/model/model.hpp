@@ -144,6 +144,8 @@ std::string describe(const Model& m, EmitterId id);
 std::string describe(const Model& m, ShapeId id);
 std::string describe(const Model& m, const AnyId& id);
 bool alive(const Model& m, const AnyId& id);
+/// Living members of a group, and those of groups among them.
+std::vector<AnyId> all_members(const Model& m, GroupId group);
 
 /// Principal moments and axes (columns) of a symmetric matrix by Jacobi's method with a fixed number of sweeps, moments
 /// in rising order (up to round-off), axes right-handed with signs nearest to the columns of `near`.

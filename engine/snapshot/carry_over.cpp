@@ -56,7 +56,7 @@ void match_points(const Match& match, Counterparts& to) {
 
 bool differ(double a, double b) { return a != b; }
 bool differ(Vec3 a, Vec3 b) { return norm(a - b) > 0.0; }
-bool differ(const Quat& a, const Quat& b) { return a.w != b.w || a.x != b.x || a.y != b.y || a.z != b.z; }
+bool differ(const Quat& a, const Quat& b) { return !same(a, b); }
 
 /// Whether something is to be elsewhere than before, by the script's word and at no time of its own.
 bool wants_other(const Constraint& before, const Constraint& now) {

@@ -1,10 +1,10 @@
 #include "articulates/solve/drift.hpp"
-#include "articulates/build/build.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "articulates/build/build.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
@@ -215,8 +215,7 @@ bool is_as_left(const World& world, const Articulate& articulate) {
     }
     const Motion& m = world.motion[n.slot];
     const Quat q = n.turns ? normalised(n.q0) : n.q0;
-    return same(m.x, n.x0) && same(m.p, n.p0) && same(m.angular, n.P0) && m.q.w == q.w && m.q.x == q.x &&
-           m.q.y == q.y && m.q.z == q.z;
+    return same(m.x, n.x0) && same(m.p, n.p0) && same(m.angular, n.P0) && same(m.q, q);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/functions.hpp"
+#include "base/rotation.hpp"
 #include "choreography/hands.hpp"
 #include "constraints/kind.hpp"
 #include "edit/common.hpp"
@@ -152,8 +153,7 @@ void move_orientation(const World& world, ConstraintId id, Constraint& c, double
   };
   const Quat next = target(time);
   c.bend = bend_of(world, c, [&](double s) {
-    const Quat straight = between(c.turn.now, next, s), q = target(time + (s - 1.0) * h) * conjugate(straight);
-    return direction(vec(q.x, q.y, q.z)) * (2.0 * functions::atan2(norm(vec(q.x, q.y, q.z)), q.w));
+    return rotation_vector(target(time + (s - 1.0) * h) * conjugate(between(c.turn.now, next, s)));
   });
   c.turn.previous = c.turn.now;
   c.turn.now = next;
@@ -167,11 +167,10 @@ void move_orientation(const World& world, ConstraintId id, Constraint& c, double
 /// Whether what it keeps is at the end of this step other than at its start, or was in the last.
 bool moves(const Constraint& c) {
   const auto differ = [](Vec3 a, Vec3 b) { return norm2(a - b) > 0.0; };
-  const Quat p = c.turn.now, q = c.turn.previous;
   return (c.kind == ConstraintKind::follow &&
           (differ(c.position.now, c.position.previous) || norm2(c.position.rate) > 0.0)) ||
          ((c.number.of_time || c.by_speed) && (c.number.now != c.number.previous || c.number.rate != 0.0)) ||
-         (c.turn.of_time && (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z || norm2(c.turn.rate) > 0.0)) ||
+         (c.turn.of_time && (!same(c.turn.now, c.turn.previous) || norm2(c.turn.rate) > 0.0)) ||
          norm2(c.attract.away) + norm2(c.attract.previous_away) + norm2(c.attract.away_rate) > 0.0 ||
          c.attract.excess != 0.0 || c.attract.previous_excess != 0.0 || c.attract.excess_rate != 0.0;
 }

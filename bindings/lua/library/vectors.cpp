@@ -133,8 +133,7 @@ int quat_multiply(lua_State* state) {
 }
 
 int quat_equal(lua_State* state) {
-  const Quat a = quat_operand(state, 1), b = quat_operand(state, 2);
-  lua_pushboolean(state, a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
+  lua_pushboolean(state, same(quat_operand(state, 1), quat_operand(state, 2)));
   return 1;
 }
 

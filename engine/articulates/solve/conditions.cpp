@@ -51,16 +51,9 @@ void strengthen_stalled(Articulate& a, double step) {
   }
 }
 
-bool is_turned(const Condition& c) {
-  const Quat &a = c.whole_turn0, &b = c.whole_turn1;
-  return a.w != b.w || a.x != b.x || a.y != b.y || a.z != b.z;
-}
+bool is_turned(const Condition& c) { return !same(c.whole_turn0, c.whole_turn1); }
 
-Vec3 turn_in_step(const Condition& c) {
-  const Quat q = c.whole_turn1 * conjugate(c.whole_turn0);
-  const Vec3 axis = vec(q.x, q.y, q.z) * (q.w < 0.0 ? -1.0 : 1.0);
-  return direction(axis) * (2.0 * functions::atan2(norm(axis), std::fabs(q.w)));
-}
+Vec3 turn_in_step(const Condition& c) { return rotation_vector(c.whole_turn1 * conjugate(c.whole_turn0)); }
 
 namespace {
 
