@@ -94,15 +94,6 @@ inline Quat normalised(const Quat& q) {
   return {q.w * s, q.x * s, q.y * s, q.z * s};
 }
 
-/// The shorter way from one orientation to another, at a part of it (0 … 1), not at an even speed.
-inline Quat between(const Quat& from, const Quat& to, double part) {
-  if (part == 0.0) return from;
-  if (part == 1.0) return to;
-  const double same = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z < 0.0 ? -part : part;
-  const double rest = 1.0 - part;
-  return normalised({from.w * rest + to.w * same, from.x * rest + to.x * same, from.y * rest + to.y * same,
-                     from.z * rest + to.z * same});
-}
 inline Mat3 matrix(const Quat& q) {
   const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z,
                wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;

@@ -19,5 +19,11 @@ inline Vec3 rotation_vector(const Quat& q) {
   const Vec3 axis = vec(q.x, q.y, q.z) * (q.w < 0.0 ? -1.0 : 1.0);
   return direction(axis) * (2.0 * functions::atan2(norm(axis), std::fabs(q.w)));
 }
+/// The shorter way from one orientation to another by an even turn, at a part of it (0 … 1).
+inline Quat between(const Quat& from, const Quat& to, double part) {
+  if (part == 0.0) return from;
+  if (part == 1.0) return to;
+  return quaternion_of(rotation_vector(to * conjugate(from)) * part) * from;
+}
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
@@ -165,8 +166,15 @@ void note_loads(Articulate& a) {
 
 void set_breaks_at(World& world, ConstraintId id, const Breaking& breaks_at) {
   require_unlocked(world, "breaks_at");
-  require_breaking(describe(world, id), breaks_at);
+  const std::string who = describe(world, id);
+  require_breaking(who, breaks_at);
   Constraint& c = world.constraints[id];
+  const std::vector<RowPlan> rows = rule_of(c).rows(world, c);
+  const bool turns = std::any_of(rows.begin(), rows.end(), [](const RowPlan& row) { return row.angular; });
+  const bool pulls = std::any_of(rows.begin(), rows.end(), [](const RowPlan& row) { return !row.angular; });
+  require(turns || std::isinf(breaks_at.torque), who, ": breaks_at.torque: it bears no torque; give `force`");
+  require(pulls || std::isinf(breaks_at.force), who, ": breaks_at.force: it bears no force; give `torque`");
+  require(pulls || std::isinf(breaks_at.length), who, ": breaks_at.length: it has no length; give `torque`");
   if (c.breaks_at.possible() != breaks_at.possible()) mark_edited(world, c);
   c.breaks_at = breaks_at;
 }
@@ -175,7 +183,10 @@ void set_breaks_at(World& world, ParticleId id, const Breaking& breaks_at) {
   require_unlocked(world, "breaks_at");
   Particle& hinge = world.particles[id];
   require(hinge.is_hinge(), "breaks_at: ", describe(world, id), " is no hinge");
-  require_breaking(describe(world, id), breaks_at);
+  const std::string who = describe(world, id);
+  require_breaking(who, breaks_at);
+  require(!hinge.axes.empty() || std::isinf(breaks_at.torque), who,
+          ": breaks_at.torque: it has no axis, and bears no torque");
   if (hinge.breaks_at.possible() != breaks_at.possible()) mark_edited(world, id);
   hinge.breaks_at = breaks_at;
 }

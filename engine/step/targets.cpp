@@ -141,12 +141,6 @@ void move_length(const World& world, ConstraintId id, Constraint& c, double time
                                     : (c.number.now - c.number.previous + c.bend.rate(1.0)[0]) / h;
 }
 
-/// The vector of the turn from one orientation to another that is near, [rad] to second order.
-Vec3 turn_to(const Quat& to, const Quat& from) {
-  const Quat q = to * conjugate(from);
-  return vec(q.x, q.y, q.z) * (q.w < 0.0 ? -2.0 : 2.0);
-}
-
 void move_orientation(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
     return turned_in_plane(world, c.body_a, unit(describe(world, id), c.turn.of_time(t)));
@@ -157,7 +151,7 @@ void move_orientation(const World& world, ConstraintId id, Constraint& c, double
   });
   c.turn.previous = c.turn.now;
   c.turn.now = next;
-  const Vec3 mean = turn_to(c.turn.now, c.turn.previous) / h;
+  const Vec3 mean = rotation_vector(c.turn.now * conjugate(c.turn.previous)) / h;
   c.moves++;
   c.turn.rate = rate_at_end(mean, c.turn.previous_rate, c.turn.change, c.moves);
   if (!c.bend.straight()) c.turn.rate = mean + c.bend.rate(1.0) / h;

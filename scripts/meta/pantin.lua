@@ -1126,14 +1126,15 @@ function Scene:nail(point, at, options) end
 function Scene:follow(point, target, options) end
 ---Keeps two points, or a point and a position, at a distance, or at their present one.
 ---```lua
----scene:rod(p, q)
+---scene:rod(p, q, { name = "strut", breaks_at = { force = 200 } })
 ---scene:rod(p, vec(-2, 4, 0), function(t) return 3 + 0.1 * math.sin(t) end)
 ---```
 ---@param a Point|Particle|vec [m]
 ---@param b Point|Particle|vec [m]
----@param length? number|fun(t: number): number [m]
+---@param length? number|fun(t: number): number|ConstraintOptions [m]
+---@param options? ConstraintOptions
 ---@return Rod
-function Scene:rod(a, b, length) end
+function Scene:rod(a, b, length, options) end
 ---Keeps two bodies in their present relative position and orientation; it tells its load, and may break. The two pass through each other, and touch everything else.
 ---```lua
 ---local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })
@@ -1823,10 +1824,10 @@ function OpenedScene:restore(snapshot) end
 ---@field edges? integer[][] pairs of numbers of vertices; those of faces need not be given (default `{}`)
 ---@field faces? integer[][] lists of numbers of vertices, counter-clockwise seen from outside (default `{}`)
 
----@class TieOptions: NameOptions
+---@class TieOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
 
----@class FollowOptions: NameOptions
+---@class FollowOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
 ---@field max_force? number [N] it never pulls harder (default `math.huge`)
 

@@ -203,7 +203,15 @@ struct Sample {
   Value value;
 };
 
-const Breaking loads = {2.0, 3.0, 400.0};
+/// What may break a tie of that kind.
+Breaking loads_of(std::string_view thing) {
+  const auto is_one_of = [&](std::initializer_list<std::string_view> kinds) {
+    return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
+  };
+  const bool turns = is_one_of({"Orient", "Align", "Motor", "motor by angle", "Limit", "Gear"});
+  const bool both = is_one_of({"Weld", "Rack", "Screw"});
+  return {turns ? infinity_ : 2.0, turns || both ? 3.0 : infinity_, turns ? infinity_ : 400.0};
+}
 
 std::vector<Sample> samples_of_things(const Zoo& zoo) {
   return {
@@ -223,7 +231,7 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"Particle", "radius", 0.25},
       {"Particle", "look", "glow"},
       {"Particle", "name", "grain"},
-      {"hinge", "breaks_at", Breaking{2.0, 3.0, infinity_}},
+      {"hinge", "breaks_at", Breaking{2.0, infinity_, infinity_}},
       {"hinge", "enabled", false},
       {"hinge", "collide", true},
       {"Body", "position", vec(1, 2, 3)},
@@ -311,7 +319,7 @@ std::vector<Sample> all_samples(const Zoo& zoo) {
     };
     if (!has("name")) all.push_back({entry.first.c_str(), "name", "new"});
     if (!has("enabled")) all.push_back({entry.first.c_str(), "enabled", false});
-    if (!has("breaks_at")) all.push_back({entry.first.c_str(), "breaks_at", loads});
+    if (!has("breaks_at")) all.push_back({entry.first.c_str(), "breaks_at", loads_of(entry.first)});
   }
   return all;
 }

@@ -89,6 +89,17 @@ test("a lift rests at the end of its path, and its string has the counterweight 
   end
 end)
 
+test("a tie that is refused is not there", function()
+  local scene = open_text [[
+    local p = scene:particle { at = vec(0, 2, 0) }
+    local made = pcall(function() scene:rod(p, vec(0, 0, 0), { breaks_at = { torque = 1 } }) end)
+    scene:result("made", made)
+  ]]
+  scene:advance(1)
+  expect(scene:result "made"):equal(false)
+  expect(scene.particles[1].velocity.y):near(-9.81, 1e-6)
+end)
+
 test("what cannot be is an error at its line", function()
   local function fails(code, text)
     expect(function() open_text("local p = scene:particle()\n" .. code) end):fails(text)
@@ -99,6 +110,10 @@ test("what cannot be is an error at its line", function()
   local bar = "local b = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { o = vec(0, 0, 0) } }\n"
   fails(bar .. "scene:motor(b, { axis = vec(0, 0, 1), speed = 1, angle = 1 })", "motor: give its speed or its angle, not both")
   fails(bar .. "scene:hinge(b.o, p, { breaks_at = { length = 1 } })", "hinge: breaks_at: unknown field 'length'")
+  fails(bar .. "scene:hinge(b.o, p, { breaks_at = { torque = 1 } })", "breaks_at.torque: it has no axis, and bears no torque")
+  fails(bar .. "scene:rod(p, vec(0, 1, 0), { breaks_at = { torque = 1 } })", "breaks_at.torque: it bears no torque; give `force`")
+  fails(bar .. "scene:orient(b, quat(vec(0, 0, 1), 1), { breaks_at = { force = 1 } })", "breaks_at.force: it bears no force; give `torque`")
+  fails(bar .. "scene:limit(b, { axis = vec(0, 0, 1), max = 1, breaks_at = { length = 1 } })", "breaks_at.length: it has no length; give `torque`")
   fails("scene:limit(p, vec(0, 1, 0), { min = 2, max = 1 })", "text.lua:2: limit: min must be below max")
   fails("scene:string({ p })", "text.lua:2: string: needs two points or more, got 1")
   fails("scene:weld(p, p)", "text.lua:2: weld: argument 1 must be a body")

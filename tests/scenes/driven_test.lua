@@ -88,7 +88,34 @@ test("what follows a function of time bears the same force where the scene takes
     scene:advance(3 / 60)
     expect(scene.stats.sub_steps):above(1)
     expect(scene:read "force"):near(18, 1e-3)
-    expect(scene:read "torque"):near(18, 0.2)
+    expect(scene:read "torque"):near(18, 1e-6)
+  end
+end)
+
+test("the torque told of what turns a body by time is what its angular momentum gains", function()
+  local turns = { "10 * t, 10", "4 * t + 3 * t ^ 2, 4 + 6 * t", "2 * math.sin(5 * t), 10 * math.cos(5 * t)" }
+  local ties = { "scene:motor(wheel, { axis = z, angle = turn })", "scene:orient(wheel, function(t) return quat(z, turn(t)) end)",
+                 "scene:motor(wheel, { axis = z, speed = function(t) return select(2, turn(t)) end })" }
+  for _, turn in ipairs(turns) do
+    for _, tie in ipairs(ties) do
+      local scene = open_text(([[
+        scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
+        local z = vec(0, 0, 1)
+        local function turn(t) return %s end
+        local wheel = scene:body { mass = 1, inertia = vec(2, 2, 2), spin = select(2, turn(0)) * z }
+        local tie = %s
+        scene:probe("torque", function() return tie.torque.z end)
+        scene:probe("spin", function() return wheel.spin.z end)
+        scene:probe("spin wanted", function() return select(2, turn(scene.time)) end)
+      ]]):format(turn, tie))
+      scene:step()
+      for _ = 1, 90 do
+        local before = scene:read "spin"
+        scene:step()
+        expect(scene:read "torque"):near(2 * (scene:read "spin" - before) * 60, 1e-6)
+        expect(scene:read "spin"):near(scene:read "spin wanted", 0.1)
+      end
+    end
   end
 end)
 

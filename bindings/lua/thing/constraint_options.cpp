@@ -21,9 +21,14 @@ std::vector<std::string> with_common(std::vector<std::string> names) {
 }
 
 int finish(const Self& self, ConstraintId id, const Options& o) {
-  self.world.constraints[id].name = o.string("name").value_or("");
-  if (o.has("breaks_at"))
-    set_breaks_at(self.world, id, check_breaking(self.state, o.push("breaks_at"), o.what() + ": breaks_at"));
+  try {
+    self.world.constraints[id].name = o.string("name").value_or("");
+    if (o.has("breaks_at"))
+      set_breaks_at(self.world, id, check_breaking(self.state, o.push("breaks_at"), o.what() + ": breaks_at"));
+  } catch (...) {
+    remove(self.world, id);
+    throw;
+  }
   push_thing(self.state, self.script, id);
   return 1;
 }

@@ -67,14 +67,10 @@ int scene_nail(lua_State* state) {
     options = 4;
     if (!lua_isnoneornil(state, 3)) at = check_vec(state, 3, "nail", "argument 2, the position,", "m");
   }
-  const Options o(state, options, "nail", {"time_constant", "name"});
+  const Options o(state, options, "nail", with_common({"time_constant"}));
   const auto time_constant = o.number("time_constant", "s");
-  const std::string name = o.string("name").value_or("");
-  const ConstraintId nail =
-      time_constant ? add_nail(self.world, point, at, *time_constant) : add_nail(self.world, point, at);
-  self.world.constraints[nail].name = name;
-  push_thing(state, self.script, nail);
-  return 1;
+  return finish(self, time_constant ? add_nail(self.world, point, at, *time_constant) : add_nail(self.world, point, at),
+                o);
 }
 
 int scene_follow(lua_State* state) {
@@ -92,14 +88,10 @@ int scene_follow(lua_State* state) {
             kind_of_value(state, 3));
     def.at = check_vec(state, 3, "follow", "argument 2, the target,", "m");
   }
-  const Options o(state, 4, "follow", {"max_force", "time_constant", "name"});
+  const Options o(state, 4, "follow", with_common({"max_force", "time_constant"}));
   def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
   def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
-  const std::string name = o.string("name").value_or("");
-  const ConstraintId follow = add_follow(self.world, point, def);
-  self.world.constraints[follow].name = name;
-  push_thing(state, self.script, follow);
-  return 1;
+  return finish(self, add_follow(self.world, point, def), o);
 }
 
 int scene_rod(lua_State* state) {
@@ -109,7 +101,9 @@ int scene_rod(lua_State* state) {
   const PointId a = check_point(state, place_first ? 3 : 2, "rod", argument(place_first ? 2 : 1));
   std::optional<double> length;
   NumberOrFunction given;
-  if (!lua_isnoneornil(state, 4)) {
+  const bool has_length = !lua_isnoneornil(state, 4) && !(lua_istable(state, 4) && lua_isnone(state, 5));
+  const Options o(state, has_length || !lua_istable(state, 4) ? 5 : 4, "rod", with_common({}));
+  if (has_length) {
     given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m", ConstraintKind::rod);
     length = given.value;
   }
@@ -121,8 +115,7 @@ int scene_rod(lua_State* state) {
     rod = add_rod(self.world, a, check_point(state, 3, "rod", argument(2)), length);
   }
   if (given.function) set_length(self.world, rod, given.value, std::move(given.function));
-  push_thing(state, self.script, rod);
-  return 1;
+  return finish(self, rod, o);
 }
 
 int scene_join(lua_State* state) {
@@ -148,7 +141,7 @@ const ConstraintCall nail_call = {
      "scene:nail(arm.head)\n"
      "scene:nail(p, vec(0, 2, 0), { time_constant = 0.2 })"},
     "a point to a position or to something that moves",
-    R"(---@class TieOptions: NameOptions
+    R"(---@class TieOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
 )"};
 
@@ -158,16 +151,17 @@ const ConstraintCall follow_call = {
      "Keeps a point to a target: a position [m], a function of time [s] or a hand.",
      "scene:follow(p, function(t) return vec(math.cos(t), math.sin(t), 0) end, { max_force = 100 })"},
     "a point to a position or to something that moves",
-    R"(---@class FollowOptions: NameOptions
+    R"(---@class FollowOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
 ---@field max_force? number [N] it never pulls harder (default `math.huge`)
 )"};
 
 const ConstraintCall rod_call = {
     {"rod", guard<scene_rod>,
-     "a: Point|Particle|vec [m], b: Point|Particle|vec [m], length?: number|fun(t: number): number [m]", "Rod",
-     "Keeps two points, or a point and a position, at a distance, or at their present one.",
-     "scene:rod(p, q)\n"
+     "a: Point|Particle|vec [m], b: Point|Particle|vec [m], length?: number|fun(t: number): number|ConstraintOptions "
+     "[m], options?: ConstraintOptions",
+     "Rod", "Keeps two points, or a point and a position, at a distance, or at their present one.",
+     "scene:rod(p, q, { name = \"strut\", breaks_at = { force = 200 } })\n"
      "scene:rod(p, vec(-2, 4, 0), function(t) return 3 + 0.1 * math.sin(t) end)"},
     "a distance: kept, in a range, or along a string"};
 

@@ -29,14 +29,6 @@ void forget_history(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.predictor.forces[k][0];
 }
 
-/// From here on the full sub-step is cut into parts.
-void cut(Articulate& a) {
-  const double sign = symmetric_sign(a);
-  a.sums_impulses = true;
-  begin_exerted(a);
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric_impulses[k] * sign;
-}
-
 /// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
 struct Part {
   double from, to, end;
@@ -48,7 +40,7 @@ struct Part {
 void fall_back_over(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   a.smooth = false;
   a.moved_to = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
-  if (!a.sums_impulses) cut(a);
+  if (!a.sums_impulses) begin_exerted(a);
   set_conditions(a, settings.step, part.from, a.moved_to);
   const double h = settings.step * (a.moved_to - part.from);
   fallback_step(a, settings, h, report);
@@ -80,7 +72,7 @@ double make_consistent_at(Articulate& a, const DriftSettings& settings, double a
 
 /// Cuts the full sub-step, and has it begin with velocities that are consistent.
 void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
-  cut(a);
+  begin_exerted(a);
   const double given = make_consistent_at(a, settings, at, report);
   report.energy_projected += given;
   a.symmetric_energy += given;
@@ -233,7 +225,7 @@ void drift_midpoint(Articulate& a, const DriftSettings& settings, DriftReport& r
     a.exerted_time = 0.0;
     const bool open = is_open(a);
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
-      symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
+      symmetric ? begin_exerted(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = is_open(a);

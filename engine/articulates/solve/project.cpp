@@ -94,7 +94,8 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
       a.factor.substitute_forward(done.columns, a.right_side.data());
   }
   double fastest2 = largest_lane(fastest2_of_nodes);
-  for (const Condition& c : a.conditions) fastest2 = std::max(fastest2, norm2(c.velocity));
+  for (const Condition& c : a.conditions)
+    fastest2 = std::max({fastest2, norm2(c.velocity), c.value_rate * c.value_rate});
   return {sum(kinetic), std::sqrt(fastest2), std::sqrt(forbidden2)};
 }
 
@@ -249,6 +250,11 @@ bool is_one_sided(const Articulate& a) {
                      [](const Condition& c) { return c.ranged || !std::isinf(c.upper); });
 }
 
+/// Whether something prescribed moves: the drift goes past its velocity as far as the projection takes it back.
+bool is_driven(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; });
+}
+
 }  // namespace
 
 void set_kept_matrices(Articulate& a) {
@@ -348,10 +354,9 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
     report.hand += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   const bool one_sided = is_one_sided(a);
-  if (one_sided && !a.sums_impulses) {  // no half is carried, so all of it belongs to this step
+  if (!a.sums_impulses && (one_sided || is_driven(a))) {
     begin_exerted(a);
     add_forces_exerted(a, settings.full);
-    a.sums_impulses = true;
   }
   if (a.sums_impulses) add_impulses_exerted(a);
   const bool negligible = before.forbidden <= 1e-9 * speed;  // as small as what the solver leaves

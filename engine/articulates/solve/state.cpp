@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "articulates/solve/couplings.hpp"
+#include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "constraints/load.hpp"
 #include "constraints/stiff.hpp"
@@ -111,8 +112,11 @@ void take_back(const Articulate& a, Model& model) {
 }
 
 void begin_exerted(Articulate& a) {
-  a.exerted.assign(a.rows.size(), zero3());
+  const double sign = symmetric_sign(a);
+  a.exerted.resize(a.rows.size());
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric_impulses[k] * sign;
   a.exerted_time = 0.0;
+  a.sums_impulses = true;
 }
 void add_impulses_exerted(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] += a.impulses[k];

@@ -35,7 +35,7 @@ void measure_gaps(Articulate& articulate);
 
 /// Whether a one-dimensional row began to hold in this stage of the step, by an inelastic impact.
 bool struck(const Articulate& articulate);
-/// Begins the sum of what the rows exert in a step that is cut into parts.
+/// Begins the sum of what the rows exert in a full sub-step, with what they did at its start.
 void begin_exerted(Articulate& articulate);
 /// Adds what the rows exert by impulses [N s], or by their forces over h [s].
 void add_impulses_exerted(Articulate& articulate);
