@@ -96,6 +96,7 @@ struct Condition {
   double extent = 0.0;         // [m] of the largest number that its gap is found from, whose round-off it has
   bool held = true;            // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;     // before the part of a step that is being solved: what began to hold in it is struck
+  bool at_corner = false;      // a path's tangent leapt in this stage of the step
   bool works_along_d = false;  // its force may do work f·Δd: it stops, pulls, or keeps what is prescribed
   bool gives_way = false;      // while impulses are found in which it has no part, since its force has an end
   std::uint32_t row = 0;

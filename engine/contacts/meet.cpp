@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
+#include "articulates/solve/matrix.hpp"
 #include "contacts/gains.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/pass_parts.hpp"
@@ -53,15 +55,18 @@ ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& isla
   return work;
 }
 
-/// Those that are far from acting are nothing to velocities; of the rest, none is open.
-void close_scalars(TouchIsland& island, const Articulates& articulates) {
+/// Those that are far from acting are nothing to velocities; of the rest, none is open. One that `place` held back in a drift of
+/// h [s] by more than what is left of its room is where it was to be.
+void close_scalars(TouchIsland& island, const Articulates& articulates, double h) {
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     TouchScalar& scalar = island.scalars[k];
     IslandScalar& s = island.problem.scalars[k];
     s.bias = -scalar.row.wanted;
     const Articulate& a = *articulates[scalar.articulate];
     const std::vector<double>& placed = a.scalar_impulses[number(Pass::place)];
-    const bool held = placed.size() == a.rows.size() && placed[scalar.row.row()] != 0.0;
+    const std::size_t row = scalar.row.row();
+    const bool held =
+        placed.size() == a.rows.size() && std::fabs(placed[row]) * mobility(a, a.rows[row]) * h > scalar.row.room;
     if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
   }
 }
@@ -129,7 +134,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       rebounds = rebounds || from.rebound > 0.0;
     }
     set_scalars(island, articulates, h, h, h);
-    close_scalars(island, articulates);
+    close_scalars(island, articulates, h);
     hold_ties(problem);
     if (rebounds) {
       double done_before = 0.0;

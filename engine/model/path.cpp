@@ -69,7 +69,11 @@ Vec3 Path::position(double u) const {
 Vec3 Path::tangent(double u) const {
   double t = 0.0;
   const Piece& p = piece(u, t);
-  return direction(p.b + (2.0 * p.c + 3.0 * p.d * t) * t);
+  const Vec3 ahead = direction(p.b + (2.0 * p.c + 3.0 * p.d * t) * t);
+  constexpr double at_corner = 1e-9;
+  const double corner = std::round(u);
+  if (smooth_ || std::fabs(u - corner) > at_corner || (!closed_ && (corner <= 0.0 || corner >= pieces()))) return ahead;
+  return direction(direction(piece(corner - 0.5, t).b) + direction(piece(corner + 0.5, t).b), ahead);
 }
 
 double Path::step_towards(Vec3 to, double u) const {

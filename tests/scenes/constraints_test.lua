@@ -89,6 +89,34 @@ test("a lift rests at the end of its path, and its string has the counterweight 
   end
 end)
 
+test("a wheel on a nail within round-off of its centre spins on", function()
+  for _, off in ipairs { 0, 5e-19, 1e-17, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7 } do
+    local scene = open_text(([[
+      local wheel = scene:cylinder { radius = 0.4, length = 0.1, axis = vec(0, 0, 1), mass = 2, spin = vec(0, 0, 5), points = { c = vec(%g, -%g, 0) } }
+      scene:nail(wheel.c)
+    ]]):format(off, off))
+    scene:advance(1)
+    expect(scene.bodies[1].spin:length()):near(5, 1e-6)
+    expect(scene.stats.fallback_steps):equal(0)
+  end
+end)
+
+test("a bead keeps its speed round corners of its path, wherever in a step they are", function()
+  for _, degrees in ipairs { 5, 30, 45, 60, 75 } do
+    for _, before in ipairs { 1, 1.01, 1.02, 1.03, 1.04 } do
+      local scene = open_text(([[
+        scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
+        local angle = math.rad(%g)
+        local bead = scene:particle { at = vec(-%g, 0, 0), velocity = vec(3, 0, 0) }
+        scene:on_path(bead, { vec(-2, 0, 0), vec(0, 0, 0), 6 * vec(math.cos(angle), math.sin(angle), 0) })
+      ]]):format(degrees, before))
+      scene:advance(1)
+      expect(scene.particles[1].velocity:length()):near(3, 1e-9)
+      expect(scene.stats.fallback_steps):equal(0)
+    end
+  end
+end)
+
 test("a tie that is refused is not there", function()
   local scene = open_text [[
     local p = scene:particle { at = vec(0, 2, 0) }

@@ -227,3 +227,19 @@ test("two boxes whose corners are joined round their sides meet without touching
     end
   end
 end)
+
+test("what slides on a floor is stopped by a limit or a string where that ends, and loses its energy to it", function()
+  for _, tie in ipairs { "scene:limit(box.h, vec(-2, 0.25, 0), { min = 1.2 })", "scene:string({ box.h, vec(2, 0.25, 0) }, { length = 2.8 })" } do
+    for _, rate in ipairs { 60, 240, 4000 } do
+      local scene = open_text(("scene.step = 1 / %d\n"):format(rate) .. [[
+        scene:floor { friction = 0 }
+        local box = scene:box { name = "box", size = 0.5, at = vec(0, 0.25, 0), mass = 1, friction = 0, velocity = vec(-2.6, 0, 0), points = { h = vec(0, 0, 0) } }
+        scene:on("step", function() local _ = scene.ledger, scene.contact_heat end)
+      ]] .. tie)
+      scene:advance(1)
+      expect(scene:find("box").position.x):near(-0.8, 1e-5)
+      expect(scene.ledger.limit):near(-0.5 * 2.6 ^ 2, 1e-6)
+      expect(scene.ledger.contact):near(0, 1e-6)
+    end
+  end
+end)

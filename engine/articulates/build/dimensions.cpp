@@ -58,7 +58,11 @@ bool is_loop_free(const Articulate& a) {
   return points.size() + static_cast<std::size_t>(alone) == edges;
 }
 
+/// Radius of gyration; 0 of what does not turn.
+double gyration(const Node& n) { return n.turns ? std::sqrt(largest(n.inertia) * n.inverse_mass) : 0.0; }
+
 std::vector<double> lengths_of(const Articulate& a, const Model& model) {
+  constexpr double round_off = 1e-9;  // of a body's size: a point that is meant to be its centre
   std::vector<double> lengths;
   lengths.reserve(2 * a.rows.size());
   for (const Row& row : a.rows) {
@@ -71,8 +75,12 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
       lengths.push_back(row.lever);
       continue;
     }
-    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
-      if (l > 0.0) lengths.push_back(l);
+    const auto add_arm = [&](std::int32_t node, Vec3 arm) {
+      const double size = gyration(a.nodes[static_cast<std::size_t>(node)]);
+      if (norm(arm) > round_off * size) lengths.push_back(norm(arm));
+    };
+    add_arm(row.a, row.la);
+    if (row.b >= 0) add_arm(row.b, row.lb);
   }
   return lengths;
 }
@@ -80,8 +88,7 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
 /// Of what turns about its centre alone: the largest radius of gyration; 0 where nothing turns.
 double largest_gyration(const Articulate& a) {
   double size = 0.0;
-  for (const Node& n : a.nodes)
-    if (n.turns) size = std::max(size, std::sqrt(largest(n.inertia) * n.inverse_mass));
+  for (const Node& n : a.nodes) size = std::max(size, gyration(n));
   return size;
 }
 

@@ -16,6 +16,7 @@
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/wanted_velocities.hpp"
 #include "constraints/row_rule.hpp"
+#include "model/path.hpp"
 
 namespace pantin {
 
@@ -104,6 +105,12 @@ bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   return false;
 }
 
+/// Whether a point went round a corner of its path.
+bool turns_corner(const Condition& c) {
+  return c.path != nullptr && !c.path->smooth() && c.angle1 != c.angle0 &&
+         norm2(c.path->tangent(c.angle1) - c.path->tangent(c.angle0)) > 1e-12;
+}
+
 /// Moves over a part of h [s]; false where that cannot be solved, and nothing is changed.
 bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   if (settings.ledger) a.saved = a.nodes;
@@ -122,7 +129,10 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
   if (acts_at_distance(a)) a.angular_at_distance += angular_momentum_at_distance(a, h);
-  for (Condition& c : a.conditions) c.angle0 = c.angle1;
+  for (Condition& c : a.conditions) {
+    c.at_corner = c.at_corner || turns_corner(c);
+    c.angle0 = c.angle1;
+  }
   find_solved_gaps(a);
   a.last_h = h;
   a.fell_back = false;
@@ -223,6 +233,7 @@ void drift_midpoint(Articulate& a, const DriftSettings& settings, DriftReport& r
     a.moved_to = 0.0;
     a.sums_impulses = false;
     a.exerted_time = 0.0;
+    for (Condition& c : a.conditions) c.at_corner = false;
     const bool open = is_open(a);
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? begin_exerted(a) : begin_cut(a, settings, settings.from, report);

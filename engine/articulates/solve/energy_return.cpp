@@ -151,7 +151,9 @@ double change_relative_motion(Articulate& a, const RigidMotion& rigid, double ch
 double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
   if (!may_return(a)) return 0.0;
   const RigidMotion rigid = conserved_motion(a, gravity);
-  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, 1.2);
+  const bool at_corner =
+      std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.at_corner; });
+  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, at_corner ? 4.0 : 1.2);
 }
 
 double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {
