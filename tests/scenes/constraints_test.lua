@@ -134,6 +134,9 @@ test("what cannot be is an error at its line", function()
   end
   fails("scene:motor(p, { axis = vec(0, 0, 1), speed = 1 })", "text.lua:2: motor: argument 1 must be a body")
   fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two positions or more, got 1")
+  fails("scene:nail(p, vec(0, 0, 0), {}, { time_constant = 1 })", "text.lua:2: nail: takes at most 3 arguments, got 4")
+  fails("scene:group('all', { p })", "text.lua:2: group: takes at most 1 argument, got 2")
+  fails("p:remove(p)", "text.lua:2: remove: takes no arguments, got 1")
   fails("scene:on_plane(p, { time_constant = -1 })", "text.lua:2: on_plane: time_constant must be > 0 s")
   local bar = "local b = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { o = vec(0, 0, 0) } }\n"
   fails(bar .. "scene:motor(b, { axis = vec(0, 0, 1), speed = 1, angle = 1 })", "motor: give its speed or its angle, not both")

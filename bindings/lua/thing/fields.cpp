@@ -1,6 +1,8 @@
 #include "lua/thing/fields.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "edit/edit.hpp"
@@ -173,6 +175,43 @@ std::vector<const Type*> base_types() {
   return {&any_thing_type(), &any_constraint_type(), &any_force_element_type(), &any_set_type(), &any_scene_type()};
 }
 
+namespace {
+
+/// How many arguments a method takes at most, as its annotation has them; none: any number.
+std::optional<int> most_arguments(std::string_view parameters) {
+  if (parameters.empty()) return 0;
+  int count = 1, depth = 0;
+  for (const char c : parameters) {
+    if (std::string_view("([<{").find(c) != std::string_view::npos) depth++;
+    if (std::string_view(")]>}").find(c) != std::string_view::npos) depth--;
+    if (c == ',' && depth == 0) count++;
+  }
+  return parameters.find("...") == std::string_view::npos ? std::optional(count) : std::nullopt;
+}
+
+/// Calls the method that is its first upvalue, with no more arguments beside itself than its second.
+int call_counted(lua_State* state) {
+  const auto& method = *static_cast<const Method*>(lua_touserdata(state, lua_upvalueindex(1)));
+  const auto most = static_cast<int>(lua_tointeger(state, lua_upvalueindex(2)));
+  for (int i = lua_gettop(state); i > most + 1; i--)
+    require(lua_isnil(state, i), method.name, ": takes ", most == 0 ? "no" : "at most " + std::to_string(most),
+            most == 1 ? " argument" : " arguments", ", got ", i - 1);
+  return method.function(state);
+}
+
+void push_method(lua_State* state, const Method& method) {
+  const auto most = most_arguments(method.parameters);
+  if (!most) {
+    lua_pushcfunction(state, method.function);
+    return;
+  }
+  lua_pushlightuserdata(state, const_cast<Method*>(&method));
+  lua_pushinteger(state, *most);
+  lua_pushcclosure(state, guard<call_counted>, 2);
+}
+
+}  // namespace
+
 void push_metatable(lua_State* state, Kind kind) { push_metatable(state, type_of(kind)); }
 
 void push_metatable(lua_State* state, const Type& type) {
@@ -181,7 +220,7 @@ void push_metatable(lua_State* state, const Type& type) {
   lua_newtable(state);
   lua_newtable(state);
   for (const Method& method : type.methods) {
-    lua_pushcfunction(state, method.function);
+    push_method(state, method);
     lua_setfield(state, -2, method.name);
   }
   // A name that both a field and a method have reads as the field, see box_call.hpp.
