@@ -138,7 +138,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     hold_ties(problem);
     if (rebounds) {
       double done_before = 0.0;
-      for (const std::uint32_t thing : !problem.is_tied() ? island.things : std::vector<std::uint32_t>())
+      const bool told_apart = !problem.is_tied() || island.things.size() == 1;  // from what ties to others did
+      for (const std::uint32_t thing : told_apart ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
           done_before += space.placing_work[i];
       report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;

@@ -243,3 +243,17 @@ test("what slides on a floor is stopped by a limit or a string where that ends, 
     end
   end
 end)
+
+test("a ball that rebounds beside a tie that takes no part in it keeps its speed along the floor", function()
+  for _, tie in ipairs { "scene:string({ ball.c, vec(-8, 0.1, 0) }, { length = 90 })", "scene:on_plane(ball.c, { normal = vec(0, 0, 1) })", "scene:orient(ball)" } do
+    for _, rate in ipairs { 60, 240 } do
+      local scene = open_text(("scene.step = 1 / %d\n"):format(rate) .. [[
+        scene:floor { restitution = 1, friction = 0 }
+        local ball = scene:ball { radius = 0.1, at = vec(0, 1, 0), mass = 1, restitution = 1, friction = 0, velocity = vec(1, 0, 0), points = { c = vec(0, 0, 0) } }
+      ]] .. tie)
+      scene:advance(5)
+      expect(scene.bodies[1].velocity.x):near(1, 1e-9)
+      expect(scene.energy.total):near(10.31, 1e-3)
+    end
+  end
+end)
