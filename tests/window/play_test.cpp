@@ -91,6 +91,17 @@ class Play {
   void move(double x, double y) {
     hand({"mousemove", "--window", window_, std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
   }
+  /// Moves evenly for a second: by one command, since on a busy machine twenty may take longer than the scene is played.
+  void drag(double from_x, double from_y, double to_x, double to_y) {
+    std::vector<std::string> steps;
+    for (int i = 1; i <= 20; i++) {
+      const int x = static_cast<int>(from_x + i / 20.0 * (to_x - from_x)),
+                y = static_cast<int>(from_y + i / 20.0 * (to_y - from_y));
+      steps.insert(steps.end(),
+                   {"mousemove", "--window", window_, std::to_string(x), std::to_string(y), "sleep", "0.05"});
+    }
+    hand(std::move(steps));
+  }
   /// Until so many more seconds of the scene were played: the recording tells a hash after each.
   void wait_for_seconds(int seconds) {
     const int wanted = hashes() + seconds;
@@ -187,10 +198,7 @@ TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
   play.hand({"mousedown", "1"});
   pause(0.2);
   play.hand({"key", "space"});
-  for (int i = 1; i <= 20; i++) {
-    play.move(start.x + i / 20.0 * (end.x - start.x), start.y + i / 20.0 * (end.y - start.y));
-    pause(0.05);
-  }
+  play.drag(start.x, start.y, end.x, end.y);
   play.end();
 
   // Left alone, the end falls by most of the chain's length; held, it stays where the pointer is.
