@@ -1433,7 +1433,7 @@ function Scene:reset() end
 ---```
 ---@param by number [s]
 function Scene:rewind(by) end
----Saves the state once the step is done, with the script, what it keeps in its variables, and the files that it read, into a file that ends in .pantin, where the program was started or below. An error while a play waits.
+---Saves the state once the step is done, with the script, what it keeps in its variables, and the files that it read, into a file that ends in .pantin, where the program was started or below.
 ---```lua
 ---scene:button("save", function() scene:save("state.pantin") end)
 ---```

@@ -134,6 +134,8 @@ test("what cannot be is an error at its line", function()
   end
   fails("scene:motor(p, { axis = vec(0, 0, 1), speed = 1 })", "text.lua:2: motor: argument 1 must be a body")
   fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two positions or more, got 1")
+  fails("scene:limit(p, vec(0, 1, 0), { length = 1, max = 2 })", "text.lua:2: limit: give length or max, which are the same, not both")
+  fails("shape.ball(1, { radius = 2 })", "text.lua:2: ball: its radius is given twice")
   fails("scene:nail(p, vec(0, 0, 0), {}, { time_constant = 1 })", "text.lua:2: nail: takes at most 3 arguments, got 4")
   fails("scene:group('all', { p })", "text.lua:2: group: takes at most 1 argument, got 2")
   fails("p:remove(p)", "text.lua:2: remove: takes no arguments, got 1")

@@ -303,7 +303,7 @@ std::vector<Method> telling() {
        "scene:on(\"key\", \"z\", function() scene:rewind(2) end)"},
       {"save", guard<scene_save>, "file: string", "",
        "Saves the state once the step is done, with the script, what it keeps in its variables, and the files that it "
-       "read, into a file that ends in .pantin, where the program was started or below. An error while a play waits.",
+       "read, into a file that ends in .pantin, where the program was started or below.",
        "scene:button(\"save\", function() scene:save(\"state.pantin\") end)"},
   };
 }

@@ -39,9 +39,10 @@ std::vector<std::string> names_of(const Type& type, bool methods) {
     own = type.more_names(self);
   }
   all.insert(all.end(), own.begin(), own.end());
-  throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, all),
-                   own.empty() ? "" : " Its own: ", joined(own), own.empty() ? "" : ".",
-                   " Fields: ", joined(names_of(type, false)), methods.empty() ? "" : ". Methods: ", joined(methods)));
+  const std::vector<std::string> fields = names_of(type, false);
+  throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, all), own.empty() ? "" : " Its own: ",
+                   joined(own), own.empty() ? "" : ".", fields.empty() ? "" : " Fields: ", joined(fields),
+                   fields.empty() || methods.empty() ? "" : ".", methods.empty() ? "" : " Methods: ", joined(methods)));
 }
 
 Self self_at(lua_State* state, int index) {

@@ -43,8 +43,11 @@ void name_arguments(lua_State* state, const ShapeKind& kind) {
     }
   }
   for (int i = 0; i < given; i++) {
+    const char* name = names[static_cast<std::size_t>(i)];
+    require(lua_getfield(state, table, name) == LUA_TNIL, kind.name, ": its ", name, " is given twice");
+    lua_pop(state, 1);
     lua_pushvalue(state, i + 1);
-    lua_setfield(state, table, names[static_cast<std::size_t>(i)]);
+    lua_setfield(state, table, name);
   }
   lua_replace(state, 1);
   lua_settop(state, 1);

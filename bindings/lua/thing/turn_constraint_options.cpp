@@ -105,6 +105,7 @@ int scene_limit(lua_State* state) {
                                        : std::vector<std::string>{"length", "min", "max", "time_constant"}));
   LimitDef def;
   const char* unit = of_angle ? "rad" : "m";
+  require(!o.has("length") || !o.has("max"), "limit: give length or max, which are the same, not both");
   if (!of_angle) def.max = o.number("length", unit).value_or(def.max);
   def.min = o.number_or_infinity("min", unit).value_or(def.min);
   def.max = o.number_or_infinity("max", unit).value_or(def.max);
