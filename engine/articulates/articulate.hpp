@@ -170,8 +170,8 @@ struct ArticulateState {
   // and of scalar rows at the row that they are known by; none: nothing touches.
   std::array<std::vector<Vec3>, 2> tie_impulses;
   std::array<std::vector<double>, 2> scalar_impulses;
-  std::vector<Vec3>
-      exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts, or in which rows may let go
+  // (rows) [N s] in all, in a full sub-step that has parts, that something drives or in which rows may let go
+  std::vector<Vec3> exerted;
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
   // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
   std::vector<Vec3> expected;
@@ -202,13 +202,12 @@ struct ArticulateState {
   bool torn = false;             // by an edit, and still open
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
   double moved_to = 0.0;         // (0 … 1) of the step, up to which a fallback step has already moved
-  bool smooth = true;            // no part of the full sub-step was halved or a fallback step
-  bool sums_impulses =
-      false;  // `exerted` is summed up: the full sub-step has more than one part, or something in it may stop
-  bool touches = false;           // contacts gave it impulses before the last drift
-  bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;             // in each stage of a step
-  float error_by_jerk = 0.0F;     // error of sub-steps by h² |jerk|, at the last trials; 0: none
+  bool smooth = true;          // no part of the full sub-step was halved, a fallback step, or round a corner of a path
+  bool sums_impulses = false;  // `exerted` is summed up
+  bool touches = false;        // contacts gave it impulses before the last drift
+  bool weak = false;           // the last factor had weak pivots: its multipliers are not all determined
+  SubSteps sub_steps;          // in each stage of a step
+  float error_by_jerk = 0.0F;  // error of sub-steps by h² |jerk|, at the last trials; 0: none
   std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
   double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too

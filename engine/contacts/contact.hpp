@@ -129,6 +129,12 @@ struct PutOverlap {
   std::uint64_t due = 0;       ///< number of the step after which what nothing stops is out by half
 };
 
+/// Two shapes, of which the first came through the second from behind: they do not touch until it is out.
+struct PassingPair {
+  std::uint32_t a = 0, b = 0;  ///< as of a key
+  friend auto operator<=>(const PassingPair&, const PassingPair&) = default;
+};
+
 /// The deepest overlap so far, of those that are deep for the size of the thinner.
 struct DeepestOverlap {
   TouchPair pair;
@@ -153,7 +159,8 @@ struct Contacts {
   std::uint8_t shallow_left = 0;        ///< steps since shallow overlaps were pushed out
 
   DeepestOverlap deepest;
-  std::vector<PutOverlap> put;  ///< by shapes, until they are due
+  std::vector<PutOverlap> put;       ///< by shapes, until they are due
+  std::vector<PassingPair> passing;  ///< rising
 
   bool watched = false;             ///< somebody wants to be told who begins and ends to touch
   std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage

@@ -74,6 +74,19 @@ void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, s
 
 namespace {
 
+/// What sleeps passes on when it wakes: adds those that were not looked for.
+void keep_passing(const ThingsNow& p, std::vector<PassingPair>& now) {
+  const auto sleeps = [&](std::uint32_t a) {
+    const bool there = is_point(a) ? p.model.points.alive_at(slot_of(a)) : p.model.shapes.alive_at(a);
+    if (!there || (!is_point(a) && !p.model.shapes.at_slot(a).body)) return false;
+    return asleep(p.model, p.articulates, p.contacts, is_point(a) ? a : p.model.shapes.at_slot(a).body.slot - 1);
+  };
+  for (const PassingPair& pair : p.contacts.passing)
+    if (sleeps(pair.a)) now.push_back(pair);
+  std::sort(now.begin(), now.end());
+  now.erase(std::unique(now.begin(), now.end()), now.end());
+}
+
 /// Where too much is within reach of too much, margins look ahead by less of the step.
 void find_near(const ThingsNow& p, ContactFinder& finder) {
   constexpr double least = 1e-3;
@@ -94,16 +107,18 @@ void find_all_contacts(const ThingsNow& p, ContactFinder& finder, Workers& worke
   find_near(p, finder);
   locate_points(p, finder);
   find_going(p.model, finder, contacts);
-  find_of_shapes(p, finder, contacts, workers);
+  find_of_shapes(p, finder, workers);
   FoundContacts& found = finder.found[0];
-  if (!finder.solids.empty()) find_of_points(p, finder, contacts, found);
+  if (!finder.solids.empty()) find_of_points(p, finder, found);
   drop_at_hinges(p, finder.hinged, found.list);
   const std::vector<Contact> past = held_ahead(contacts.list);
   std::erase_if(contacts.list, [](const Contact& c) { return c.from_before; });
   keep_impulses(contacts.list, found.list);
   add_from_before(past, found.list);
+  keep_passing(p, found.passing);
   contacts.list.swap(found.list);
   contacts.sensed.swap(found.sensed);
+  contacts.passing.swap(found.passing);
   contacts.stale = false;
 }
 

@@ -45,6 +45,7 @@ struct PointNow {
 /// Contacts of some pairs.
 struct FoundContacts {
   std::vector<Contact> list, sensed;
+  std::vector<PassingPair> passing;
 };
 
 /// A free point that touches as a ball.

@@ -23,6 +23,11 @@ inline std::vector<Contact>::const_iterator first_of_shapes(const std::vector<Co
   });
 }
 
+inline bool are_known(const std::vector<Contact>& list, const ContactKey& key) {
+  const auto c = first_of_shapes(list, key);
+  return c != list.end() && c->key.same_shapes(key);
+}
+
 /// Whether they are never to collide.
 inline bool are_tied(const ContactFinder& finder, std::uint32_t x, std::uint32_t y) {
   return std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y)));
@@ -41,9 +46,8 @@ struct ContactSide {
   bool is_solid_point() const { return thing >= 0 && is_point(static_cast<std::uint32_t>(thing)); }
 };
 
-/// Adds what is found of a pair, gaps up to `margin` [m], by key. `rule`: of their layers, or null; `before`: the contacts of the
-/// last step; the coming one is of h [s].
-void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
+/// Adds what is found of a pair, gaps up to `margin` [m], by key. `rule`: of their layers, or null.
+void add_contacts(const ThingsNow& where, const ContactSide& a, const ContactSide& b, const LayerRule* rule,
                   double margin, FoundContacts& found);
 
 inline bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
@@ -53,7 +57,7 @@ bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, cons
 /// With the shape in this slot.
 ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot);
 /// Those of all pairs of shapes, by key, into the first of `found`.
-void find_of_shapes(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, Workers& workers);
+void find_of_shapes(const ThingsNow& where, ContactFinder& finder, Workers& workers);
 
 /// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
 void drop_at_hinges(const ThingsNow& where, const std::vector<HingedPair>& hinged, std::vector<Contact>& list);
@@ -61,6 +65,6 @@ void drop_at_hinges(const ThingsNow& where, const std::vector<HingedPair>& hinge
 /// Finds where solid points are and how they go on.
 void locate_points(const ThingsNow& where, ContactFinder& finder);
 /// Adds those of solid points; their keys are above those of shapes.
-void find_of_points(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, FoundContacts& found);
+void find_of_points(const ThingsNow& where, ContactFinder& finder, FoundContacts& found);
 
 }  // namespace pantin

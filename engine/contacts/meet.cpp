@@ -55,6 +55,22 @@ ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& isla
   return work;
 }
 
+/// Whether ties bore anything of what `place` gave the contacts of an island, beyond round-off.
+bool ties_bore(const TouchIsland& island, const Articulates& articulates, const std::vector<Contact>& contacts) {
+  double most = 0.0, given = 0.0;  // [N s]
+  const auto bore = [&](std::uint32_t articulate, std::size_t row) {
+    const Articulate& a = *articulates[articulate];
+    const std::vector<Vec3>& ties = a.tie_impulses[number(Pass::place)];
+    const std::vector<double>& scalars = a.scalar_impulses[number(Pass::place)];
+    if (ties.size() == a.rows.size()) most = std::max(most, norm(ties[row]));
+    if (scalars.size() == a.rows.size()) most = std::max(most, std::fabs(scalars[row]));
+  };
+  for (const auto& [articulate, row] : island.rows) bore(articulate, row);
+  for (const TouchScalar& s : island.scalars) bore(s.articulate, s.row.row());
+  for (const std::size_t k : island.contacts) given = std::max(given, norm(contacts[k].place_impulse));
+  return most > 1e-9 * given;
+}
+
 /// Those that are far from acting are nothing to velocities; of the rest, none is open. One that `place` held back in a drift of
 /// h [s] by more than what is left of its room is where it was to be.
 void close_scalars(TouchIsland& island, const Articulates& articulates, double h) {
@@ -138,8 +154,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     hold_ties(problem);
     if (rebounds) {
       double done_before = 0.0;
-      const bool told_apart = !problem.is_tied() || island.things.size() == 1;  // from what ties to others did
-      for (const std::uint32_t thing : told_apart ? island.things : std::vector<std::uint32_t>())
+      const bool by_contacts = !problem.is_tied() || !ties_bore(island, articulates, contacts.list);
+      for (const std::uint32_t thing : by_contacts ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
           done_before += space.placing_work[i];
       report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;

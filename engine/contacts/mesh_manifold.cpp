@@ -180,12 +180,14 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
   const Extent extent = extent_over(pair.a, t.normal, zero3());
   const double deepest = std::fmax(on.thickness, 0.5 * (extent.high - extent.low));
   if (extent.low > on.margin || extent.high < 0.0 || -extent.low > deepest) return;
+  const std::size_t lost = on.scratch.lost.size();
 
   on.scratch.prism.set(t.corner, t.normal, on.thickness);
   pair.b.core = core_of(on.scratch.prism.geometry());
   find_face(on.scratch.prism.hull(), pair.b.pose, 0, pair.b.feature);
   const bool ridged = t.convex[0] || t.convex[1] || t.convex[2];
   (ridged ? set_ridged_points : set_flat_points)(on, pair, t, extent.low, manifold);
+  if (-extent.low > 0.5 * deepest && (manifold.count > 0 || on.scratch.lost.size() > lost)) on.sink.tell_behind();
 }
 
 /// Leaves out what a neighbour told at a common edge or corner.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "contacts/find_parts.hpp"
@@ -75,6 +76,8 @@ class Collector final : public ManifoldSink {
     return kept_apart(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : motion_even_if_held();
   }
   Travel motion_even_if_held() const override { return travel(a_, b_, h_); }
+  void tell_behind() override { behind_ = true; }
+  bool is_behind() const { return behind_; }
 
  private:
   static constexpr std::uint32_t none = ~0u;
@@ -110,6 +113,7 @@ class Collector final : public ManifoldSink {
   const Contacts& before_;
   double h_;
   std::vector<Contact>& to_;
+  bool behind_ = false;
   Contact like_ = [] {
     Contact c;
     c.body_a = none;
@@ -149,18 +153,34 @@ bool only_turns(const ContactSide& a, const ContactSide& b, double h) {
                b_turns ? centre(b.now) : b.now.pose);
 }
 
+/// Whether what is found of a pair is of one that passes through a front from behind. From before it nothing comes so deep in a
+/// drift that was not near at its start.
+bool passes(const ThingsNow& p, const ContactKey& key, const Collector& collector, std::span<const Contact> found) {
+  const bool passed =
+      std::binary_search(p.contacts.passing.begin(), p.contacts.passing.end(), PassingPair{key.a, key.b});
+  if (!passed && !(p.drifted && collector.is_behind() && !are_known(p.contacts.list, key))) return false;
+  return std::any_of(found.begin(), found.end(), [](const Contact& c) { return c.gap < 0.0; });
+}
+
 }  // namespace
 
-void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
-                  double margin, FoundContacts& found) {
-  if (is_far(a, b, margin) || only_turns(a, b, h)) return;
-  std::vector<Contact>& to = a.sensor || b.sensor ? found.sensed : found.list;
-  const auto first = static_cast<std::ptrdiff_t>(to.size());
-  Collector collector(a, b, rule, before, h, found);
+void add_contacts(const ThingsNow& p, const ContactSide& a, const ContactSide& b, const LayerRule* rule, double margin,
+                  FoundContacts& found) {
+  if (is_far(a, b, margin) || only_turns(a, b, p.h)) return;
+  const bool sensed = a.sensor || b.sensor;
+  std::vector<Contact>& to = sensed ? found.sensed : found.list;
+  const std::size_t first = to.size();
+  Collector collector(a, b, rule, p.contacts, p.h, found);
   SeparationCache cache;
-  const double turning = h * norm(a.going.w - b.going.w) * std::min(a.now.reach, b.now.reach);
+  const double turning = p.h * norm(a.going.w - b.going.w) * std::min(a.now.reach, b.now.reach);
   find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning}, cache, collector);
-  if (!std::is_sorted(to.begin() + first, to.end(), by_key)) std::sort(to.begin() + first, to.end(), by_key);
+  const ContactKey key{a.key, b.key, 0, 0};
+  if (!sensed && is_one_sided(b.geometry) && passes(p, key, collector, std::span(to).subspan(first))) {
+    to.resize(first);
+    found.passing.push_back({a.key, b.key});
+  }
+  const auto begin = to.begin() + static_cast<std::ptrdiff_t>(first);
+  if (!std::is_sorted(begin, to.end(), by_key)) std::sort(begin, to.end(), by_key);
 }
 
 }  // namespace pantin

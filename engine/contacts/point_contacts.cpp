@@ -23,7 +23,7 @@ void with_point(const Model& model, const ContactFinder& finder, std::size_t i, 
                   point.touch.friction, point.touch.restitution, 0.0, 0.0, zero3(), false});
 }
 
-void points_on_shapes(const ThingsNow& p, const ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+void points_on_shapes(const ThingsNow& p, const ContactFinder& finder, FoundContacts& found) {
   for (std::size_t i = 0; i < finder.solids.size(); i++) {
     const SolidPoint& point = finder.solids[i];
     const PointNow& at = finder.points_now[i];
@@ -34,14 +34,14 @@ void points_on_shapes(const ThingsNow& p, const ContactFinder& finder, const Con
       if ((rule && !rule->collide) || !(at.moves || now.moves)) return;
       if (shape.body && are_tied(finder, point_thing(point.slot), shape.body.slot - 1)) return;
       with_point(p.model, finder, i, [&](const ContactSide& a) {
-        add_contacts(a, side_of(p.model, finder, slot), rule, contacts, p.h, at.margin + now.margin, found);
+        add_contacts(p, a, side_of(p.model, finder, slot), rule, at.margin + now.margin, found);
       });
       require_no_crowd(found.list.size(), finder.solids.size() + finder.shapes_now.size(), {at.x, at.x});
     });
   }
 }
 
-void points_on_points(const ThingsNow& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+void points_on_points(const ThingsNow& p, ContactFinder& finder, FoundContacts& found) {
   std::vector<std::uint32_t> index(p.model.points.slots());
   for (std::uint32_t i = 0; i < finder.solids.size(); i++) {
     const SolidPoint& point = finder.solids[i];
@@ -65,8 +65,7 @@ void points_on_points(const ThingsNow& p, ContactFinder& finder, const Contacts&
     for (PointNow* pushed : {&at_x, &at_y})  // one may push the other on to what it would not have met
       pushed->margin = std::max(pushed->margin, pushed->still + norm(pushed->displacement) + nearing);
     with_point(p.model, finder, i, [&](const ContactSide& a) {
-      with_point(p.model, finder, j,
-                 [&](const ContactSide& b) { add_contacts(a, b, rule, contacts, p.h, margin, found); });
+      with_point(p.model, finder, j, [&](const ContactSide& b) { add_contacts(p, a, b, rule, margin, found); });
     });
   }
 }
@@ -86,11 +85,11 @@ void locate_points(const ThingsNow& p, ContactFinder& finder) {
   }
 }
 
-void find_of_points(const ThingsNow& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+void find_of_points(const ThingsNow& p, ContactFinder& finder, FoundContacts& found) {
   const auto first = static_cast<std::ptrdiff_t>(found.list.size()),
              first_sensed = static_cast<std::ptrdiff_t>(found.sensed.size());
-  points_on_points(p, finder, contacts, found);
-  points_on_shapes(p, finder, contacts, found);
+  points_on_points(p, finder, found);
+  points_on_shapes(p, finder, found);
   std::sort(found.list.begin() + first, found.list.end(), by_key);
   std::sort(found.sensed.begin() + first_sensed, found.sensed.end(), by_key);
 }

@@ -60,23 +60,19 @@ class Search {
     std::sort(near.begin(), near.end());
     for (const std::uint32_t other : near) add_pair(shape, other, found);
   }
-  bool is_known(ContactKey key) const {
-    const auto c = first_of_shapes(contacts_.list, key);
-    return c != contacts_.list.end() && c->key.same_shapes(key);
-  }
   void add_pair(std::uint32_t shape, std::uint32_t other, FoundContacts& found) {
     const Shape &x = p_.model.shapes.at_slot(shape), &y = p_.model.shapes.at_slot(other);
     const LayerRule* rule = p_.model.layers.rule(x.layer, y.layer);
     if (y.sensor || !may_touch(finder_, x, y, rule)) return;
     const bool in_order = y.body ? shape < other : true;
     const auto [a, b] = in_order ? std::pair(shape, other) : std::pair(other, shape);
-    if (is_known({a, b, 0, 0}) || !met_.insert({a, b}).second) return;
+    if (are_known(contacts_.list, {a, b, 0, 0}) || !met_.insert({a, b}).second) return;
     const ShapeNow &at = finder_.shapes_now[shape], &there = finder_.shapes_now[other];
     const Vec3 nearing = way(shape) - way(other);
     const double turns = turning(shape) + turning(other);
     if (!would_meet(x.geometry, at, y.geometry, there, nearing, turns)) return;
     const double margin = margin_at_rest(at) + margin_at_rest(there) + norm(nearing) + turns;
-    add_contacts(side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule, contacts_, p_.h, margin, found);
+    add_contacts(p_, side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule, margin, found);
     if (y.body) push(y.body.slot - 1, finder_.going[x.body.slot - 1].v, finder_.going[y.body.slot - 1].w);
   }
   /// What turns far may be anywhere in the ball about it.

@@ -25,11 +25,10 @@ Vec3 belt_of(const Shape& shape, const ShapeNow& now) {
   return norm2(v) == 0.0 ? v : now.pose.R * transposed_times(matrix(shape.orientation), v);
 }
 
-void find_of_pair(const ThingsNow& p, const ContactFinder& finder, const Contacts& contacts, BroadPhase::Pair pair,
-                  FoundContacts& found) {
+void find_of_pair(const ThingsNow& p, const ContactFinder& finder, BroadPhase::Pair pair, FoundContacts& found) {
   const auto [a, b] = pair;
   const LayerRule* rule = p.model.layers.rule(p.model.shapes.at_slot(a).layer, p.model.shapes.at_slot(b).layer);
-  add_contacts(side_of(p.model, finder, a), side_of(p.model, finder, b), rule, contacts, p.h,
+  add_contacts(p, side_of(p.model, finder, a), side_of(p.model, finder, b), rule,
                finder.shapes_now[a].margin + finder.shapes_now[b].margin, found);
 }
 
@@ -57,7 +56,7 @@ ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32
           s.sensor};
 }
 
-void find_of_shapes(const ThingsNow& p, ContactFinder& finder, const Contacts& contacts, Workers& workers) {
+void find_of_shapes(const ThingsNow& p, ContactFinder& finder, Workers& workers) {
   choose_pairs(p.model, finder);
   constexpr std::size_t enough = 24;  // some 20 us of work: a thread is slow to wake
   const std::size_t count = finder.pairs.size();
@@ -68,16 +67,16 @@ void find_of_shapes(const ThingsNow& p, ContactFinder& finder, const Contacts& c
     FoundContacts& found = finder.found[block];
     found.list.clear();
     found.sensed.clear();
+    found.passing.clear();
     for (std::size_t k = count * block / blocks; k < count * (block + 1) / blocks; k++)
-      find_of_pair(p, finder, contacts, finder.pairs[k], found);
+      find_of_pair(p, finder, finder.pairs[k], found);
   });
-  const auto append = [](std::vector<Contact>& to, const std::vector<Contact>& more) {
-    to.insert(to.end(), more.begin(), more.end());
-  };
+  const auto append = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
   FoundContacts& all = finder.found[0];
   for (std::size_t block = 1; block < blocks; block++) {
     append(all.list, finder.found[block].list);
     append(all.sensed, finder.found[block].sensed);
+    append(all.passing, finder.found[block].passing);
   }
 }
 

@@ -127,6 +127,8 @@ bool is_convex(const Geometry& shape) {
          !std::holds_alternative<FieldPtr>(shape);
 }
 
+bool is_one_sided(const Geometry& shape) { return std::holds_alternative<MeshPtr>(shape); }
+
 Bounds bounds_of(const Geometry& shape, const Pose& pose) { return std::visit(BoundsOf{pose}, shape); }
 double reach_of(const Geometry& shape) { return std::visit(ReachOf{}, shape); }
 Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {

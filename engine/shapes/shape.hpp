@@ -50,6 +50,8 @@ Quat turn_to(Vec3 direction);
 
 /// Whether it may be a body's: it has a volume, and each two of its points have the way between them in it.
 bool is_convex(const Geometry& shape);
+/// Whether things come through it from behind.
+bool is_one_sided(const Geometry& shape);
 /// Axis-aligned, in the world; of a half space infinite.
 Bounds bounds_of(const Geometry& shape, const Pose& pose);
 /// Radius about the shape's origin that all of it is within.

@@ -175,6 +175,7 @@ void check_contacts(const World& w) {
                   (x.body_b == -1 || (x.body_b >= 0 && is_thing(static_cast<std::uint32_t>(x.body_b)))));
     }
   for (const PutOverlap& put : c.put) sound_state(is_shape(put.a) && is_shape(put.b));
+  for (const PassingPair& pair : c.passing) sound_state(is_shape(pair.a) && is_shape(pair.b));
   for (const std::uint32_t slot : c.sleepers) sound_state(slot < w.bodies.slots() && slot < c.bodies.size());
   sound_state(c.bodies.size() <= w.bodies.slots() && c.points.size() <= w.points.slots());
 }

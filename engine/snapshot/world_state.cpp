@@ -100,7 +100,7 @@ void visit_law(Writer& to, std::shared_ptr<const Law>& law) { visit(to, law); }
 void visit_law(Reader& from, std::shared_ptr<const Law>& law) { visit(from, law); }
 
 std::uint64_t layout_of_state() {
-  constexpr std::uint64_t version = 3;
+  constexpr std::uint64_t version = 4;
   Hash hash;
   for (const std::uint64_t part :
        {version, sizeof(WorldData), sizeof(Articulate), sizeof(Forces), sizeof(Row), sizeof(Condition), sizeof(Node),

@@ -57,3 +57,18 @@ for message, code in pairs(kept) do
     expect(function() open_text((text:gsub("t > 0.05 and", "true and"))) end):fails("text.lua:4: " .. message)
   end)
 end
+
+test("what is given after the options of a tie is refused", function()
+  for _, code in ipairs {
+    "scene:nail(p, { time_constant = 0.2 }, vec(0, 1, 0))",
+    "scene:rod(p, q, { name = 'rod' }, 2)",
+    "scene:motor(body, { axis = vec(0, 0, 1), speed = 1 }, body)",
+  } do
+    expect(function()
+      open_text([[
+        local p, q = scene:particle { at = vec(0, 0, 0) }, scene:particle { at = vec(1, 0, 0) }
+        local body = scene:body { mass = 1, at = vec(3, 0, 0) }
+      ]] .. code)
+    end):fails("its options come last, got")
+  end
+end)

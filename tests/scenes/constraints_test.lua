@@ -117,6 +117,22 @@ test("a bead keeps its speed round corners of its path, wherever in a step they 
   end
 end)
 
+test("a bead goes round polygons, and keeps its speed at every corner", function()
+  for _, sides in ipairs { 5, 6, 8, 12 } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local corners = {}
+      for k = 1, %d do corners[k] = quat(vec(0, 0, 1), 2 * math.pi * k / %d):rotate(vec(1, 0, 0)) end
+      local bead = scene:particle { at = (corners[1] + corners[2]) / 2, velocity = 3 * (corners[2] - corners[1]):normalized() }
+      scene:on_path(bead, corners, { closed = true })
+    ]]):format(sides, sides))
+    for _ = 1, 40 do
+      scene:advance(0.25)
+      expect(scene.particles[1].velocity:length()):near(3, 1e-9)
+    end
+  end
+end)
+
 test("a tie that is refused is not there", function()
   local scene = open_text [[
     local p = scene:particle { at = vec(0, 2, 0) }

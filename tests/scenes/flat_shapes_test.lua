@@ -142,3 +142,45 @@ test("a line is one-sided: from left to right it bears what is above, anticlockw
   expect(speed_after(back, above, down, true)):near(-1, 1e-9)
   expect(speed_after(back, below, up, true)):near(-1, 1e-9)
 end)
+
+local from_behind = {
+  ["a ball through a line"] = { [[scene.plane = "xy"]], "shape.line { vec(-1, 0, 0), vec(1, 0, 0) }", "ball", "radius = 0.1" },
+  ["a ball through a line's end"] = { [[scene.plane = "xy"]], "shape.line { vec(-1, 0, 0), vec(0.03, 0, 0) }", "ball", "radius = 0.1" },
+  ["a box that turns through a line"] = { [[scene.plane = "xy"]], "shape.line { vec(-1, 0, 0), vec(1, 0, 0) }", "box", "size = vec(0.5, 0.1, 0.1), spin = vec(0, 0, 3)" },
+  ["a box through triangles"] = { "", "shape.mesh { vertices = { vec(-1, 0, 1), vec(1, 0, 1), vec(1, 0, -1), vec(-1, 0, -1) }, faces = { { 1, 2, 3 }, { 1, 3, 4 } } }", "box", "size = 0.2, spin = vec(1, 2, 3)" },
+}
+for what, case in pairs(from_behind) do
+  local before, ground, kind, size = table.unpack(case)
+  local function thrown(speed, time)
+    local scene = open_text(([[
+      %s
+      local touched = 0
+      scene:result("touched", touched)
+      scene:ground { shape = %s }
+      scene:%s { %s, at = vec(0, -0.6, 0), velocity = vec(0, %.17g, 0), name = "thrown" }
+      scene:on("touched", function()
+        touched = touched + 1
+        scene:result("touched", touched)
+      end)
+    ]]):format(before, ground, kind, size, speed))
+    scene:advance(time)
+    return scene, scene:find("thrown")
+  end
+
+  test(what .. " from behind flies as through air, and lands before it", function()
+    local scene, body = thrown(6, 0.5)
+    expect(body.position.y):near(-0.6 + 6 * 0.5 - 0.5 * 9.81 * 0.25, 1e-9)
+    expect(body.velocity.y):near(6 - 9.81 * 0.5, 1e-9)
+    expect(scene.ledger.push_out):equal(0)
+    expect(scene:result("touched")):equal(0)
+    scene:advance(3)
+    if not what:find("end") then expect(body.position.y):above(0) end
+  end)
+
+  test(what .. " from behind that does not get through falls back", function()
+    local scene, body = thrown(math.sqrt(2 * 9.81 * 0.58), 1)
+    expect(body.position.y):near(-0.6 + math.sqrt(2 * 9.81 * 0.58) - 0.5 * 9.81, 1e-9)
+    expect(scene.ledger.push_out):equal(0)
+    expect(scene:result("touched")):equal(0)
+  end)
+end

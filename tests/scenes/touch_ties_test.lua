@@ -257,3 +257,18 @@ test("a ball that rebounds beside a tie that takes no part in it keeps its speed
     end
   end
 end)
+
+for _, rate in ipairs { 60, 240 } do
+  test(("a bar on a nail that strikes a block keeps its energy when nothing takes any at %d Hz"):format(rate), function()
+    local scene = scene_at(rate, [[
+      scene.plane, scene.gravity = "xy", vec(0, 0, 0)
+      local bar = scene:box { size = vec(1, 0.1, 0.1), mass = 1, at = vec(0.5, 0, 0), velocity = vec(0, 3.85, 0), spin = vec(0, 0, 7.7), restitution = 1, friction = 0, points = { hub = vec(-0.5, 0, 0) } }
+      scene:nail(bar.hub)
+      scene:box { size = 0.2, mass = 1, at = vec(0, 0.8, 0), restitution = 1, friction = 0, name = "struck" }
+    ]])
+    local start = scene.energy.kinetic
+    scene:advance(1)
+    expect(scene:find("struck").velocity:length()):above(3)
+    expect(scene.energy.kinetic):near(start, 1e-3)
+  end)
+end

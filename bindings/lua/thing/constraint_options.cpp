@@ -15,9 +15,12 @@ std::vector<const ConstraintCall*> constraint_calls() {
   return calls;
 }
 
-std::vector<std::string> with_common(std::vector<std::string> names) {
+Options tie_options(lua_State* state, int index, std::string what, std::vector<std::string> names) {
   names.insert(names.end(), {"name", "breaks_at"});
-  return names;
+  Options o(state, index, std::move(what), names);
+  require(!lua_istable(state, index) || lua_isnoneornil(state, index + 1), o.what(), ": its options come last, got ",
+          kind_of_value(state, index + 1), " after them");
+  return o;
 }
 
 int finish(const Self& self, ConstraintId id, const Options& o) {

@@ -19,8 +19,8 @@ struct ConstraintCall {
 /// In the order of the kinds, without the axis, which comes with a hinge.
 std::vector<const ConstraintCall*> constraint_calls();
 
-/// These options, and those that all constraints have.
-std::vector<std::string> with_common(std::vector<std::string> names);
+/// The options of a call, what comes last in it: these, and those that all constraints have.
+Options tie_options(lua_State* state, int index, std::string what, std::vector<std::string> names);
 /// Gives a new constraint what all may have, and returns it to the script.
 int finish(const Self& self, ConstraintId id, const Options& options);
 /// The option `axis`; in a plane its normal, unless another is given.

@@ -23,7 +23,7 @@ BodyId carrier_option(const Self& self, const Options& o) {
 int scene_gear(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "gear");
   const BodyId a = check_body(state, 2, "gear", argument(1)), b = check_body(state, 3, "gear", argument(2));
-  const Options o(state, 4, "gear", with_common({"ratio", "axis", "axis_b", "carrier"}));
+  const Options o = tie_options(state, 4, "gear", {"ratio", "axis", "axis_b", "carrier"});
   GearDef def;
   def.ratio = check_ratio(self, o, "ratio", "", ConstraintKind::gear);
   def.axis_a = axis_option(self, o);
@@ -36,7 +36,7 @@ int scene_rack(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "rack");
   const BodyId wheel = check_body(state, 2, "rack", argument(1));
   const PointId point = check_point(state, 3, "rack", argument(2));
-  const Options o(state, 4, "rack", with_common({"radius", "axis", "along", "carrier"}));
+  const Options o = tie_options(state, 4, "rack", {"radius", "axis", "along", "carrier"});
   RackDef def;
   def.radius = check_ratio(self, o, "radius", "m", ConstraintKind::rack);
   def.axis = axis_option(self, o);
@@ -52,7 +52,7 @@ int scene_pulley(lua_State* state) {
   const Passage over_a = check_point_or_position(state, 3, "pulley", argument(2)),
                 over_b = check_point_or_position(state, 4, "pulley", argument(3));
   const PointId b = check_point(state, 5, "pulley", argument(4));
-  const Options o(state, 6, "pulley", with_common({"ratio", "length", "time_constant"}));
+  const Options o = tie_options(state, 6, "pulley", {"ratio", "length", "time_constant"});
   PulleyDef def;
   if (o.has("ratio")) def.ratio = check_ratio(self, o, "ratio", "", ConstraintKind::pulley);
   def.length = o.number("length", "m");
@@ -63,7 +63,7 @@ int scene_pulley(lua_State* state) {
 int scene_screw(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "screw");
   const PointId a = check_point(state, 2, "screw", argument(1)), b = check_point(state, 3, "screw", argument(2));
-  const Options o(state, 4, "screw", with_common({"lead", "axis"}));
+  const Options o = tie_options(state, 4, "screw", {"lead", "axis"});
   ScrewDef def;
   def.lead = check_ratio(self, o, "lead", "m", ConstraintKind::screw);
   require(o.has("axis"), "screw: axis must be given, a vec in world axes");

@@ -19,7 +19,7 @@ int scene_string(lua_State* state) {
     lua_pop(state, 1);
   }
   lua_pop(state, 1);
-  const Options o(state, 3, "string", with_common({"length", "time_constant"}));
+  const Options o = tie_options(state, 3, "string", {"length", "time_constant"});
   StringDef def;
   NumberOrFunction length;
   if (o.has("length")) {
@@ -43,7 +43,7 @@ int scene_on_path(lua_State* state) {
     lua_pop(state, 1);
   }
   lua_pop(state, 1);
-  const Options o(state, 4, "on_path", with_common({"smooth", "closed", "time_constant"}));
+  const Options o = tie_options(state, 4, "on_path", {"smooth", "closed", "time_constant"});
   auto path = std::make_shared<const Path>(std::move(places), o.boolean("smooth").value_or(false),
                                            o.boolean("closed").value_or(false));
   const double time_constant = o.number("time_constant", "s").value_or(usual_time_constant);

@@ -11,7 +11,7 @@ int scene_on_plane(lua_State* state) {
   Constraint c;
   c.kind = ConstraintKind::on_plane;
   c.a = check_point(state, 2, "on_plane", argument(1));
-  const Options o(state, 3, "on_plane", with_common({"through", "normal", "time_constant"}));
+  const Options o = tie_options(state, 3, "on_plane", {"through", "normal", "time_constant"});
   c.position.now = o.vector("through", "m").value_or(position(self.world, c.a));
   c.axis_a = o.vector("normal", "").value_or(vec(0, 1, 0));
   read_time_constant(o, c);

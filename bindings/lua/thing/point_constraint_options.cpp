@@ -2,6 +2,7 @@
 
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
+#include "edit/edit.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/constraint_values.hpp"
 #include "lua/thing/fields.hpp"
@@ -49,9 +50,15 @@ int scene_hinge(lua_State* state) {
   def.axis = o.vector("axis", "");
   def.collide = o.boolean("collide").value_or(false);
   const ParticleId hinge = add_hinge(self.world, points, def);
-  if (o.has("breaks_at"))
-    set_breaks_at(self.world, hinge,
-                  check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", {"force", "torque"}));
+  if (o.has("breaks_at")) {
+    try {
+      set_breaks_at(self.world, hinge,
+                    check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", {"force", "torque"}));
+    } catch (...) {
+      cut(self.world, hinge);
+      throw;
+    }
+  }
   push_thing(state, self.script, hinge);
   return 1;
 }
@@ -67,7 +74,7 @@ int scene_nail(lua_State* state) {
     options = 4;
     if (!lua_isnoneornil(state, 3)) at = check_vec(state, 3, "nail", "argument 2, the position,", "m");
   }
-  const Options o(state, options, "nail", with_common({"time_constant"}));
+  const Options o = tie_options(state, options, "nail", {"time_constant"});
   const auto time_constant = o.number("time_constant", "s");
   return finish(self, time_constant ? add_nail(self.world, point, at, *time_constant) : add_nail(self.world, point, at),
                 o);
@@ -88,7 +95,7 @@ int scene_follow(lua_State* state) {
             kind_of_value(state, 3));
     def.at = check_vec(state, 3, "follow", "argument 2, the target,", "m");
   }
-  const Options o(state, 4, "follow", with_common({"max_force", "time_constant"}));
+  const Options o = tie_options(state, 4, "follow", {"max_force", "time_constant"});
   def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
   def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
   return finish(self, add_follow(self.world, point, def), o);
@@ -101,9 +108,9 @@ int scene_rod(lua_State* state) {
   const PointId a = check_point(state, place_first ? 3 : 2, "rod", argument(place_first ? 2 : 1));
   std::optional<double> length;
   NumberOrFunction given;
-  const bool has_length = !lua_isnoneornil(state, 4) && !(lua_istable(state, 4) && lua_isnone(state, 5));
-  const Options o(state, has_length || !lua_istable(state, 4) ? 5 : 4, "rod", with_common({}));
-  if (has_length) {
+  const bool without_length = lua_istable(state, 4);
+  const Options o = tie_options(state, without_length ? 4 : 5, "rod", {});
+  if (!without_length && !lua_isnoneornil(state, 4)) {
     given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m", ConstraintKind::rod);
     length = given.value;
   }

@@ -20,7 +20,7 @@ BodyId second_body(lua_State* state, int& index, const char* call) {
 int scene_weld(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "weld");
   const BodyId a = check_body(state, 2, "weld", argument(1)), b = check_body(state, 3, "weld", argument(2));
-  const Options o(state, 4, "weld", with_common({}));
+  const Options o = tie_options(state, 4, "weld", {});
   return finish(self, add_weld(self.world, a, b), o);
 }
 
@@ -34,7 +34,7 @@ int scene_orient(lua_State* state) {
   else if (!lua_istable(state, 3) && !lua_isnoneornil(state, 3))
     def.to = check_quat(state, 3, "orient", "argument 2, a quat or a function of time,");
   if (!lua_istable(state, 3)) options = 4;
-  const Options o(state, options, "orient", with_common({"time_constant"}));
+  const Options o = tie_options(state, options, "orient", {"time_constant"});
   read_time_constant(o, def);
   return finish(self, add_orient(self.world, body, def), o);
 }
@@ -47,7 +47,7 @@ int scene_align(lua_State* state) {
   int next = 4;
   const BodyId b = second_body(state, next, "align");
   def.axis_b = check_vec(state, next, "align", argument(next - 1) + ", the second axis,", "");
-  const Options o(state, next + 1, "align", with_common({"angle", "time_constant"}));
+  const Options o = tie_options(state, next + 1, "align", {"angle", "time_constant"});
   NumberOrFunction angle;
   if (o.has("angle")) {
     angle = check_number_of_time(self, o.push("angle"), "align", "angle", "rad", ConstraintKind::align);
@@ -64,7 +64,7 @@ int scene_motor(lua_State* state) {
   const BodyId a = check_body(state, 2, "motor", argument(1));
   int next = 3;
   const BodyId b = second_body(state, next, "motor");
-  const Options o(state, next, "motor", with_common({"axis", "speed", "angle", "max_torque", "time_constant"}));
+  const Options o = tie_options(state, next, "motor", {"axis", "speed", "angle", "max_torque", "time_constant"});
   MotorDef def;
   def.axis = axis_option(self, o);
   require(!o.has("speed") || !o.has("angle"), "motor: give its speed or its angle, not both");
@@ -100,9 +100,9 @@ int scene_limit(lua_State* state) {
       point_b = check_point(state, next, "limit", argument(2));
     next++;
   }
-  const Options o(state, next, "limit",
-                  with_common(of_angle ? std::vector<std::string>{"axis", "min", "max", "time_constant"}
-                                       : std::vector<std::string>{"length", "min", "max", "time_constant"}));
+  const Options o = tie_options(state, next, "limit",
+                                of_angle ? std::vector<std::string>{"axis", "min", "max", "time_constant"}
+                                         : std::vector<std::string>{"length", "min", "max", "time_constant"});
   LimitDef def;
   const char* unit = of_angle ? "rad" : "m";
   require(!o.has("length") || !o.has("max"), "limit: give length or max, which are the same, not both");

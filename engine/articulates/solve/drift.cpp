@@ -52,6 +52,7 @@ void fall_back_over(Articulate& a, const DriftSettings& settings, const Part& pa
 void stand_still(Articulate& a, double step, double at) {
   set_conditions(a, step, at, at);
   for (Node& n : a.nodes) set_end_from_start(n);
+  for (Condition& c : a.conditions) c.angle1 = c.angle0;  // an attempt that failed left another
   place_rows_at_end(a);
 }
 
@@ -130,7 +131,10 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   if (settings.ledger) add_unsolved_work(a, h, report);
   if (acts_at_distance(a)) a.angular_at_distance += angular_momentum_at_distance(a, h);
   for (Condition& c : a.conditions) {
-    c.at_corner = c.at_corner || turns_corner(c);
+    if (turns_corner(c)) {
+      c.at_corner = true;
+      a.smooth = false;
+    }
     c.angle0 = c.angle1;
   }
   find_solved_gaps(a);

@@ -153,7 +153,8 @@ double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
   const RigidMotion rigid = conserved_motion(a, gravity);
   const bool at_corner =
       std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.at_corner; });
-  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, at_corner ? 4.0 : 1.2);
+  constexpr double most = 1.2, most_at_corner = 4.0;
+  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, at_corner ? most_at_corner : most);
 }
 
 double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {

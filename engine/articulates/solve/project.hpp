@@ -15,8 +15,6 @@ void project_articulate(Articulate& articulate, const DriftSettings& settings, D
 /// where the last one was another: edited, halved, a fallback, of another length, or with multipliers that are not all
 /// determined.
 bool project_symmetrically(Articulate& articulate, double full, DriftReport& report);
-/// Of Λ̂ there: -1, or 1 where the articulate takes an even number of own sub-steps.
-inline double symmetric_sign(const Articulate& a) { return a.sub_steps.count == 1 ? -1.0 : 1.0; }
 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "articulates/solve/couplings.hpp"
-#include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "constraints/load.hpp"
 #include "constraints/stiff.hpp"

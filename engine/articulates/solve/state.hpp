@@ -35,6 +35,9 @@ void measure_gaps(Articulate& articulate);
 
 /// Whether a one-dimensional row began to hold in this stage of the step, by an inelastic impact.
 bool struck(const Articulate& articulate);
+/// Of Λ̂ in `project_symmetrically`: -1, or 1 where the articulate takes an even number of own sub-steps.
+inline double symmetric_sign(const Articulate& a) { return a.sub_steps.count == 1 ? -1.0 : 1.0; }
+
 /// Begins the sum of what the rows exert in a full sub-step, with what they did at its start.
 void begin_exerted(Articulate& articulate);
 /// Adds what the rows exert by impulses [N s], or by their forces over h [s].
