@@ -144,10 +144,11 @@ inline constexpr std::uint16_t most_failed = 4;  // drifts that are counted
 
 /// What its steps cost, in iterations and factorisations, and what may still be spent on one that cannot be solved.
 struct Effort {
-  double usual = 4.0;        // of a step that is solved at once
-  std::uint32_t spare = 0;   // left of this drift, for attempts that fail
-  std::uint16_t failed = 0;  // drifts in a row whose attempts did not solve all, at most `most_failed`,
-  std::uint16_t pause = 0;   // and in how many more none is to be made
+  double usual = 4.0;         // of a step that is solved at once
+  std::uint32_t spare = 0;    // left of this drift, for attempts that fail
+  std::uint32_t corners = 0;  // of paths, round which something went in this drift
+  std::uint16_t failed = 0;   // drifts in a row whose attempts did not solve all, at most `most_failed`,
+  std::uint16_t pause = 0;    // and in how many more none is to be made
 };
 
 /// How two points of a node moved on average over the last stage of a step [m/s], and how that changed [m/s²].

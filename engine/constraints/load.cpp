@@ -89,7 +89,10 @@ void store(const Condition& condition, const Row& row, const Model& model, Vec3 
     c.angle = condition.angle1;
     return;
   }
-  if (c.is<PathData>()) c.as<PathData>().along = condition.angle1;
+  if (c.is<PathData>()) {
+    c.as<PathData>().along = condition.angle1;
+    c.as<PathData>().run = condition.run;
+  }
   c.tension = -dot(force, direction(row.d1));
   if (condition.index == 0) c.force = force;
 }

@@ -19,7 +19,8 @@ struct PathEnd {
 };
 
 /// The end of the piece of an open path that a point d is on, at parameter u; no direction where the piece has none.
-PathEnd end_near(const Path& path, double u, Vec3 d) {
+PathEnd end_near(const Path& path, PathRun run, double along, Vec3 d) {
+  const double u = std::fmin(std::fmax(along, run.from), run.to);
   const bool first = u < 1.0 && u <= 0.5 * path.pieces(), last = u > path.pieces() - 1.0;
   if (path.closed() || !(first || last)) return {};
   const double at = first ? 0.0 : path.pieces();
@@ -31,40 +32,46 @@ PathEnd end_near(const Path& path, double u, Vec3 d) {
 double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Path& path = *c.path;
   const double kappa = context.kappa();
-  c.angle1 = path.nearest(row.d1, c.angle0);
-  const Vec3 position = path.position(c.angle1), open = row.d1 - position;
-  const PathEnd end = end_near(path, c.angle1, row.d1);
-  if (-dot(row.f, end.out) * kappa > end.room) {
-    c.held = true;
-    row.residual = row.d1 - end.position - row.offset;
+  const auto hold = [&](Vec3 at) {
+    row.residual = row.d1 - at - row.offset;
     c.M = identity33();
     c.C = zero33();
     return norm(row.residual);
+  };
+  if (c.run.is_corner()) {
+    c.angle1 = c.run.to;
+    return hold(path.position(c.run.to));
   }
-  c.held = false;
-  const Vec3 chord = position - path.position(c.angle0), T = path.tangent(c.angle1);
+  c.angle1 = path.nearest(row.d1, c.angle0, c.run);
+  const Vec3 position = path.position(c.angle1, c.run), open = row.d1 - position;
+  const PathEnd end = end_near(path, c.run, c.angle1, row.d1);
+  c.held = -dot(row.f, end.out) * kappa > end.room;
+  if (c.held) return hold(end.position);
+  const Vec3 chord = position - path.position(c.angle0, c.run), T = path.tangent(c.angle1, c.run);
   const double displacement = norm(chord);
-  const Vec3 n = displacement > 1e-12 * norm(position) ? chord / displacement : T;
+  const bool turns = displacement > 1e-12 * norm(position) && !path.is_straight(c.angle0, c.angle1, c.run);
+  const Vec3 n = turns ? chord / displacement : T;
   const double along = dot(row.f, n);
   row.residual = open - row.offset + n * (along * kappa);
-  const double turned = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
+  const double turned = turns ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * turned);
   c.C = outer(n, n) * kappa;
   return std::fmax(norm(open - row.offset), std::fabs(along) * length_per_force(norm(row.f), displacement, kappa));
 }
 
 void project_path(const Row&, Condition& c, bool holds) {
-  const Vec3 T = c.path->tangent(c.angle1);
-  c.kept = holds ? identity33() : identity33() - outer(T, T);
+  const Vec3 T = norm2(c.turning) > 0.0 ? c.turning : c.path->tangent(c.angle1, c.run);
+  c.kept = holds || c.run.is_corner() ? identity33() : identity33() - outer(T, T);
 }
 
 Stop stop_of_path(const Row& row, const Condition& c) {
-  const PathEnd end = end_near(*c.path, c.angle1, row.d1);
+  const PathEnd end = end_near(*c.path, c.run, c.angle1, row.d1);
   return {end.out * -1.0, end.room};
 }
 
 Vec3 path_gap(const Row& row, const Condition& c) {
-  return row.d1 - c.path->position(c.path->nearest(row.d1, c.angle1)) - row.offset;
+  const double u = c.run.is_corner() ? c.run.to : c.path->nearest(row.d1, c.angle1, c.run);
+  return row.d1 - c.path->position(u, c.run) - row.offset;
 }
 
 }  // namespace
@@ -83,7 +90,9 @@ const Path& path_of(const Constraint& c) { return *c.as<PathData>().path; }
 
 void start(const Model& model, Constraint& c, double tolerance) {
   const Vec3 at = position(model, c.a);
-  const double along = c.as<PathData>().along = path_of(c).nearest(at);
+  const double along = path_of(c).nearest(at);
+  c.as<PathData>().along = along;
+  c.as<PathData>().run = {};
   const Vec3 T = path_of(c).tangent(along), off = at - path_of(c).position(along), v = velocity(model, c.a);
   if (norm(off) <= tolerance * std::fmax(size_of(model, c.a), largest(at))) return;
   c.attract.away = off;
@@ -101,6 +110,11 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
   condition.path = &path_of(c);
   condition.extent = path_of(c).extent();
   condition.angle0 = condition.angle1 = c.as<PathData>().along;
+  condition.turned_at = infinity;
+  condition.returned = false;
+  const PathRun last = c.as<PathData>().run;
+  condition.run =
+      last.has(condition.angle0) ? last : path_of(c).run(condition.angle0, model.plane.along(velocity(model, c.a)));
   const Vec3 at = path_of(c).positions()[0], height = at - model.plane.along(at);
   condition.whole0 -= height;
   condition.whole1 -= height;

@@ -72,9 +72,13 @@ struct Condition {
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
   // [rad] of a turn at the start and end, turns counted; of a point on a path, its parameter there.
   double angle0 = 0.0, angle1 = 0.0;
-  Vec3 normal = zero3();       // of a plane
-  const Path* path = nullptr;  // of a point on one
-  std::uint32_t index = 0;     // which row of its constraint it is
+  Vec3 normal = zero3();        // of a plane
+  const Path* path = nullptr;   // of a point on one, and
+  PathRun run;                  // of it, between two sharp corners, and
+  double turned_at = infinity;  // the one that it went round last in this step,
+  bool returned = false;        // whether it came back there, and
+  Vec3 turning = zero3();       // the tangent on the way round one; 0: that of the path
+  std::uint32_t index = 0;      // which row of its constraint it is
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
@@ -96,7 +100,6 @@ struct Condition {
   double extent = 0.0;         // [m] of the largest number that its gap is found from, whose round-off it has
   bool held = true;            // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;     // before the part of a step that is being solved: what began to hold in it is struck
-  bool at_corner = false;      // a path's tangent leapt in this stage of the step
   bool works_along_d = false;  // its force may do work f·Δd: it stops, pulls, or keeps what is prescribed
   bool gives_way = false;      // while impulses are found in which it has no part, since its force has an end
   std::uint32_t row = 0;

@@ -15,6 +15,7 @@
 #include "model/body.hpp"
 #include "model/breaking.hpp"
 #include "model/particle.hpp"
+#include "model/path.hpp"
 #include "model/point.hpp"
 
 namespace pantin {
@@ -55,7 +56,6 @@ struct CoupledValue {
   double by_ratio = 0.0;  ///< what the coupling's ratio adds to that, times itself
 };
 
-class Path;
 struct JoinProgress;
 
 constexpr double usual_time_constant = 0.1;  // [s]
@@ -97,7 +97,8 @@ struct StringData {
 };
 struct PathData {
   std::shared_ptr<const Path> path;
-  double along = 0.0;  ///< its parameter at the end of the last step
+  double along = 0.0;  ///< its parameter at the end of the last step,
+  PathRun run = {};    ///< and between which corners it was
 };
 struct JoinData {
   std::shared_ptr<JoinProgress> progress;

@@ -9,6 +9,8 @@ namespace pantin {
 
 namespace {
 
+constexpr double cosine_of_sharp = 0.99939;  // of two degrees
+
 /// Slopes at the positions of a cubic spline with continuous second derivative over unit pieces: natural at open ends.
 /// Tridiagonal (cyclic where closed) equations m[i-1] + 4 m[i] + m[i+1] = 3 (p[i+1] - p[i-1]), by sweeps of Gauss and
 /// Seidel, which gain a factor of four or more each.
@@ -50,52 +52,89 @@ Path::Path(std::vector<Vec3> positions, bool smooth, bool closed)
     const Vec3 s0 = m[i], s1 = m[(i + 1) % n];
     pieces_.push_back({from, s0, 3.0 * chord - 2.0 * s0 - s1, s0 + s1 - 2.0 * chord});
   }
+  for (double corner = 0.0; corner < pieces() && !smooth_; corner++)
+    if (may_turn_at(corner) &&
+        dot(direction(piece_from(corner - 1.0).b), direction(piece_from(corner).b)) < cosine_of_sharp)
+      sharp_.push_back(corner);
 }
 
-const Path::Piece& Path::piece(double u, double& t) const {
+const Path::Piece& Path::piece_from(double first) const {
+  return pieces_[static_cast<std::size_t>(closed_ ? first - pieces() * std::floor(first / pieces()) : first)];
+}
+
+const Path::Piece& Path::piece(double u, double& t, PathRun run) const {
   const double count = pieces();
+  if (u >= run.to || u < run.from) {
+    const double first = u >= run.to ? run.to - 1.0 : run.from;
+    t = u - first;
+    return piece_from(first);
+  }
   if (closed_) u -= count * std::floor(u / count);
   const double index = u > 0.0 ? std::min(std::floor(u), count - 1.0) : 0.0;
   t = u > index ? std::min(u - index, 1.0) : 0.0;
   return pieces_[static_cast<std::size_t>(index)];
 }
 
-Vec3 Path::position(double u) const {
+PathRun Path::run_of(double u) const {
+  if (sharp_.empty()) return {};
+  const double count = pieces(), whole = closed_ ? count * std::floor(u / count) : 0.0;
+  const auto next = std::upper_bound(sharp_.begin(), sharp_.end(), u - whole);
+  const double first = closed_ ? sharp_.front() + count : infinity, last = closed_ ? sharp_.back() - count : -infinity;
+  return {whole + (next == sharp_.begin() ? last : next[-1]), whole + (next == sharp_.end() ? first : *next)};
+}
+
+PathRun Path::run(double u, Vec3 velocity) const {
+  const double corner = std::round(u);
+  if (std::fabs(u - corner) > at_corner || !may_turn_at(corner)) return run_of(u);
+  const PathRun before = run_of(corner - 0.5), after = run_of(corner + 0.5);
+  const bool ahead =
+      std::fabs(dot(velocity, tangent(corner, after))) >= std::fabs(dot(velocity, tangent(corner, before)));
+  return ahead ? after : before;
+}
+
+Vec3 Path::position(double u, PathRun run) const {
   double t = 0.0;
-  const Piece& p = piece(u, t);
+  const Piece& p = piece(u, t, run);
   return p.a + (p.b + (p.c + p.d * t) * t) * t;
 }
 
-Vec3 Path::tangent(double u) const {
+Vec3 Path::tangent(double u, PathRun run) const {
   double t = 0.0;
-  const Piece& p = piece(u, t);
+  const Piece& p = piece(u, t, run);
   const Vec3 ahead = direction(p.b + (2.0 * p.c + 3.0 * p.d * t) * t);
-  constexpr double at_corner = 1e-9;
   const double corner = std::round(u);
-  if (smooth_ || std::fabs(u - corner) > at_corner || (!closed_ && (corner <= 0.0 || corner >= pieces()))) return ahead;
+  const bool within = corner > run.from && corner < run.to && may_turn_at(corner);
+  if (smooth_ || std::fabs(u - corner) > at_corner || !within) return ahead;
   return direction(direction(piece(corner - 0.5, t).b) + direction(piece(corner + 0.5, t).b), ahead);
 }
 
-double Path::step_towards(Vec3 to, double u) const {
+bool Path::is_straight(double u, double v, PathRun run) const {
   double t = 0.0;
-  const Piece& p = piece(u, t);
+  return !smooth_ && &piece(u, t, run) == &piece(v, t, run);
+}
+
+double Path::step_towards(Vec3 to, double u, PathRun run) const {
+  double t = 0.0;
+  const Piece& p = piece(u, t, run);
   const Vec3 position = p.a + (p.b + (p.c + p.d * t) * t) * t, slope = p.b + (2.0 * p.c + 3.0 * p.d * t) * t;
   const Vec3 bend = 2.0 * p.c + 6.0 * p.d * t, off = to - position;
   const double first = dot(off, slope), second = norm2(slope) - dot(off, bend);
   return first / std::max(0.3 * norm2(slope), second);
 }
 
-double Path::nearest(Vec3 to, double u) const {
+double Path::nearest(Vec3 to, double u, PathRun run) const {
   const double count = pieces();
+  const double least = closed_ || std::isfinite(run.from) ? -infinity : 0.0,
+               most = closed_ || std::isfinite(run.to) ? infinity : count;
   constexpr int most_steps = 50;
   double last = infinity, before = infinity;
   for (int left = most_steps - 1; left >= 0; left--) {
-    const double change = std::min(std::max(-0.5, step_towards(to, u)), 0.5);
-    double next = u + change;
-    if (!closed_) next = std::min(std::max(0.0, next), count);
+    const double change = std::min(std::max(-0.5, step_towards(to, u, run)), 0.5);
+    double next = std::min(std::max(least, u + change), most);
     // A step over the end of a piece stops there first: the next piece has its own slope.
     const double edge = change > 0.0 ? std::floor(u) + 1.0 : std::ceil(u) - 1.0;
-    if ((change > 0.0 && next > edge) || (change < 0.0 && next < edge)) next = edge;
+    const bool within = edge > run.from && edge < run.to;
+    if (within && ((change > 0.0 && next > edge) || (change < 0.0 && next < edge))) next = edge;
     const double moved = std::fabs(next - u);
     // At a corner whose two pieces both lead to it the steps go to and fro: what is left of them is known.
     if (next == before && moved > 1e-12 * count) return left % 2 == 0 ? next : u;

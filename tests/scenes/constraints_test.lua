@@ -102,7 +102,7 @@ test("a wheel on a nail within round-off of its centre spins on", function()
 end)
 
 test("a bead keeps its speed round corners of its path, wherever in a step they are", function()
-  for _, degrees in ipairs { 5, 30, 45, 60, 75 } do
+  for _, degrees in ipairs { 5, 30, 45, 60, 75, 90, 120, 150, 175, 180 } do
     for _, before in ipairs { 1, 1.01, 1.02, 1.03, 1.04 } do
       local scene = open_text(([[
         scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
@@ -118,7 +118,7 @@ test("a bead keeps its speed round corners of its path, wherever in a step they 
 end)
 
 test("a bead goes round polygons, and keeps its speed at every corner", function()
-  for _, sides in ipairs { 5, 6, 8, 12 } do
+  for _, sides in ipairs { 3, 4, 5, 6, 8, 12 } do
     local scene = open_text(([[
       scene.gravity = vec(0, 0, 0)
       local corners = {}
@@ -131,6 +131,61 @@ test("a bead goes round polygons, and keeps its speed at every corner", function
       expect(scene.particles[1].velocity:length()):near(3, 1e-9)
     end
   end
+end)
+
+test("what hangs on a bead, and beads on a rod, go round a square and keep their energy", function()
+  for what, code in pairs {
+    pendulum = "scene:rod(bead, scene:particle { at = vec(1, -0.5, 0.3), mass = 0.5 })",
+    box = "scene:hinge(bead, scene:box({ size = vec(0.2, 0.6, 0.1), mass = 1, at = vec(1, -0.3, 0), points = { top = vec(0, 0.3, 0) } }).top)",
+    rod = "local other = scene:particle { at = vec(0.8, 0, 0), velocity = vec(8, 0, 0) } scene:on_path(other, corners, { closed = true }) scene:rod(bead, other)",
+  } do
+    for _, rate in ipairs { 60, 240, 960 } do
+      local scene = open_text(([[
+        scene.step = 1 / %d
+        local corners = { vec(0, 0, 0), vec(2, 0, 0), vec(2, 2, 0), vec(0, 2, 0) }
+        local bead = scene:particle { at = vec(1, 0, 0), velocity = vec(8, 0, 0) }
+        scene:on_path(bead, corners, { closed = true })
+      ]]):format(rate) .. code)
+      scene:advance(3)
+      expect(scene.error.worst_energy):below(1e-8)
+      expect(scene.error.worst_constraint):below(1e-10)
+      expect(scene.stats.fallback_steps):equal(0)
+    end
+  end
+end)
+
+test("a bead in a valley between straight pieces goes to and fro over its corner, comes to rest there by drag, and presses on it", function()
+  for _, drag in ipairs { 0, 2 } do
+    local scene = open_text(([[
+      local bead = scene:particle { at = vec(-1, 1, 0) }
+      scene:on_path(bead, { vec(-2, 2, 0), vec(0, 0, 0), vec(1, 3, 0) }, { name = "valley" })
+      if %g > 0 then scene:field(scene, force.drag { linear = %g }) end
+    ]]):format(drag, drag))
+    if drag == 0 then
+      scene:advance(20)
+      expect(scene.error.worst_energy):below(1e-10)
+      expect(scene.particles[1].velocity:length()):above(0.1)
+    else
+      scene:advance(30)
+      expect(scene.particles[1].position:length()):below(1e-6)
+      expect(scene.particles[1].velocity:length()):below(1e-6)
+      expect(scene:find("valley").force.y):near(9.81, 1e-6)
+    end
+    expect(scene.stats.fallback_steps):equal(0)
+  end
+end)
+
+test("a bead goes over more corners than are looked at in a step", function()
+  local scene = open_text [[
+    scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
+    local corners = {}
+    for k = 0, 4000 do corners[k + 1] = vec(0.01 * k, k % 2 == 0 and 0 or 0.01, 0) end
+    local bead = scene:particle { at = vec(0.005, 0.005, 0), velocity = vec(5, 5, 0) }
+    scene:on_path(bead, corners)
+  ]]
+  scene:advance(2)
+  expect(scene.particles[1].velocity:length()):near(50 ^ 0.5, 1e-8)
+  expect(scene.stats.fallback_steps):equal(0)
 end)
 
 test("a tie that is refused is not there", function()

@@ -1,14 +1,18 @@
 #include "articulates/solve/drift.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/corners.hpp"
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/moment.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/project.hpp"
@@ -16,7 +20,6 @@
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/wanted_velocities.hpp"
 #include "constraints/row_rule.hpp"
-#include "model/path.hpp"
 
 namespace pantin {
 
@@ -30,10 +33,10 @@ void forget_history(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.predictor.forces[k][0];
 }
 
-/// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
+/// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`, after so many corners.
 struct Part {
   double from, to, end;
-  int depth;
+  int depth, corners = 0;
 };
 
 /// A fallback step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
@@ -48,47 +51,18 @@ void fall_back_over(Articulate& a, const DriftSettings& settings, const Part& pa
   add_forces_exerted(a, h);
 }
 
-/// Puts the ends of nodes and rows where they start, at a moment of the step.
-void stand_still(Articulate& a, double step, double at) {
-  set_conditions(a, step, at, at);
-  for (Node& n : a.nodes) set_end_from_start(n);
-  for (Condition& c : a.conditions) c.angle1 = c.angle0;  // an attempt that failed left another
-  place_rows_at_end(a);
-}
-
-/// Makes velocities consistent at a moment of the step, where a row is struck or a cut step begins: a solved part turns the
-/// sign of what is forbidden, which over several parts no row of one side bears. Returns what this gave beyond the work of
-/// what is prescribed [J].
-double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
-                          double struck_for = 0.0) {
-  const double before = kinetic_energy(a);
-  stand_still(a, settings.step, at);
-  const WantedVelocities wanted(a, settings.step, at);
-  const bool at_distance = acts_at_distance(a);
-  const Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
-  const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck_for);
-  if (at_distance) restore_momenta(a, momenta);
-  report.tell(work);
-  return kinetic_energy(a) - before - work.all();
-}
-
-/// Cuts the full sub-step, and has it begin with velocities that are consistent.
-void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
-  begin_exerted(a);
-  const double given = make_consistent_at(a, settings, at, report);
-  report.energy_projected += given;
-  a.symmetric_energy += given;
-}
-
 /// Whether the drift is less than its full sub-step, as beside thermostats, and something may strike in it.
 bool is_part_that_may_strike(const Articulate& a, const DriftSettings& settings) {
   if (settings.backwards || (settings.to - settings.from) * settings.step > 0.75 * settings.full) return false;
   return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
 }
 
+/// How often something is solved that is solved at once.
+std::uint32_t parts(const Articulate& a) { return a.sub_steps.count + a.effort.corners; }
+
 /// Some times what a step costs that is solved at once.
 std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
-  return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
+  return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * parts(a);
 }
 /// What attempts that fail may cost, of all parts together: rows without a loop do not contradict each other.
 std::uint32_t all_spare(const Articulate& a) { return a.loop_free ? allowance(a, 320, 24.0) : allowance(a, 160, 16.0); }
@@ -106,14 +80,11 @@ bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   return false;
 }
 
-/// Whether a point went round a corner of its path.
-bool turns_corner(const Condition& c) {
-  return c.path != nullptr && !c.path->smooth() && c.angle1 != c.angle0 &&
-         norm2(c.path->tangent(c.angle1) - c.path->tangent(c.angle0)) > 1e-12;
-}
-
 /// Moves over a part of h [s]; false where that cannot be solved, and nothing is changed.
 bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  constexpr double shortest = 1e-5;  // of the sub-step
+  std::optional<PartStart> start;
+  if (std::fabs(h) < shortest * std::fabs(settings.full)) start.emplace(a, report);
   if (settings.ledger) a.saved = a.nodes;
   for (Condition& c : a.conditions) c.held_before = c.held;
   const bool expected = !a.expected.empty();
@@ -130,15 +101,10 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
   if (acts_at_distance(a)) a.angular_at_distance += angular_momentum_at_distance(a, h);
-  for (Condition& c : a.conditions) {
-    if (turns_corner(c)) {
-      c.at_corner = true;
-      a.smooth = false;
-    }
-    c.angle0 = c.angle1;
-  }
+  for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;
+  if (start) start->put_back_forces(a, report, h);
   a.fell_back = false;
   if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {
     a.epsilon = std::min(a.most_epsilon, 10.0 * a.epsilon);
@@ -147,17 +113,53 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   return true;
 }
 
+/// Moves over a part, or up to where the first point is at a sharp corner of its path. Returns the moment up to which it did;
+/// none where that cannot be solved, and nothing is changed.
+std::optional<double> solve_to_corner(Articulate& a, const DriftSettings& settings, const Part& part,
+                                      DriftReport& report) {
+  const auto solve = [&](double to) {
+    set_conditions(a, settings.step, part.from, to);
+    return solve_part(a, settings, settings.step * (to - part.from), report);
+  };
+  if (!has_sharp_corners(a)) return solve(part.to) ? std::optional(part.to) : std::nullopt;
+  PartStart start(a, report);
+  if (!solve(part.to)) return {};
+  CornerSearch search(a, settings.step * (part.to - part.from));
+  if (search.none_passed()) return part.to;
+  start.put_back(a, report);
+  a.effort.corners++;
+  a.smooth = false;
+  if (!a.sums_impulses) begin_cut(a, settings, part.from, report);
+  start = PartStart(a, report);
+  for (search.begin(a); !search.done(); search.tell(a)) {
+    start.put_back(a, report);
+    if (search.at_start()) return part.from;
+    if (!solve(part.from + (part.to - part.from) * search.next())) return {};
+  }
+  return part.from + (part.to - part.from) * search.last();
+}
+
+void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report);
+
+/// Goes on round a sharp corner that it is at; what came back to it in this step stays there.
+void go_round(Articulate& a, const DriftSettings& settings, const Part& part, double at, DriftReport& report) {
+  constexpr int most_corners = 100;
+  turn_at_corners(a, settings, at, part.corners >= most_corners, report);
+  drift_part(a, settings, {at, part.to, part.end, part.depth, part.corners + 1}, report);
+}
+
 /// Moves over a part: solved at once, by its halves, or by a fallback step that may go further than the part.
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   if (part.from < a.moved_to) return;
-  const double h = settings.step * (part.to - part.from);
   set_conditions(a, settings.step, part.from, part.to);
   if (is_open(a)) return fall_back_over(a, settings, part, report);
-  if (solve_part(a, settings, h, report)) {
+  if (const std::optional<double> reached = solve_to_corner(a, settings, part, report)) {
     if (!a.sums_impulses) return;
-    add_forces_exerted(a, h);
-    if (struck(a)) report.limit += make_consistent_at(a, settings, part.to, report, h);
+    const double h = settings.step * (*reached - part.from);
+    if (h != 0.0) add_forces_exerted(a, h);
+    if (struck(a)) report.limit += make_consistent_at(a, settings, *reached, report, h);
     for (Condition& c : a.conditions) c.held_before = c.held;
+    if (*reached != part.to) go_round(a, settings, part, *reached, report);
     return;
   }
   const bool failed_before = part.depth == 0 && a.fell_back;  // since the last step: shorter ones would not help
@@ -203,6 +205,7 @@ void begin_effort(Articulate& a) {
   if (a.edited) effort.failed = effort.pause = 0;
   const bool waits = effort.pause > 0;
   if (waits) effort.pause--;
+  effort.corners = 0;
   effort.spare = waits ? 0 : effort.failed > 0 ? allowance(a, 16, 3.0) : all_spare(a);
 }
 
@@ -210,8 +213,7 @@ void begin_effort(Articulate& a) {
 void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport& report) {
   constexpr std::uint16_t longest_pause = 8;
   Effort& effort = a.effort;
-  if (report.fallbacks == 0 && report.halved == 0)
-    effort.usual += (1.0 * cost(report) / a.sub_steps.count - effort.usual) / 8.0;
+  if (report.fallbacks == 0 && report.halved == 0) effort.usual += (1.0 * cost(report) / parts(a) - effort.usual) / 8.0;
   if (report.fallbacks == 0) {
     effort.failed = 0;
   } else if (spare > 0 && !open) {
@@ -237,7 +239,6 @@ void drift_midpoint(Articulate& a, const DriftSettings& settings, DriftReport& r
     a.moved_to = 0.0;
     a.sums_impulses = false;
     a.exerted_time = 0.0;
-    for (Condition& c : a.conditions) c.at_corner = false;
     const bool open = is_open(a);
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? begin_exerted(a) : begin_cut(a, settings, settings.from, report);

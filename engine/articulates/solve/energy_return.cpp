@@ -151,10 +151,8 @@ double change_relative_motion(Articulate& a, const RigidMotion& rigid, double ch
 double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
   if (!may_return(a)) return 0.0;
   const RigidMotion rigid = conserved_motion(a, gravity);
-  const bool at_corner =
-      std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.at_corner; });
-  constexpr double most = 1.2, most_at_corner = 4.0;
-  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, at_corner ? most_at_corner : most);
+  constexpr double most = 1.2;
+  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, most);
 }
 
 double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {

@@ -392,6 +392,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   ends.take(h);
   kick(a, h, settings.gravity, report);
   const bool free = is_free(a);
+  for (Condition& c : a.conditions) c.run = {};
   const Momenta momenta = momenta_of(a);
   const Vec3 centre = centre_of_mass(a) + momenta.p * (h / a.total_mass);
   place_rows_at_end(a);
