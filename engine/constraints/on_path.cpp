@@ -59,7 +59,8 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(norm(open - row.offset), std::fabs(along) * length_per_force(norm(row.f), displacement, kappa));
 }
 
-void project_path(const Row&, Condition& c, bool holds) {
+void project_path(const Row& row, Condition& c, bool holds) {
+  if (!c.run.is_corner()) c.angle1 = c.path->nearest(row.d1, c.angle1, c.run);
   const Vec3 T = norm2(c.turning) > 0.0 ? c.turning : c.path->tangent(c.angle1, c.run);
   c.kept = holds || c.run.is_corner() ? identity33() : identity33() - outer(T, T);
 }

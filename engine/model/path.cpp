@@ -134,13 +134,14 @@ double Path::nearest(Vec3 to, double u, PathRun run) const {
     // A step over the end of a piece stops there first: the next piece has its own slope.
     const double edge = change > 0.0 ? std::floor(u) + 1.0 : std::ceil(u) - 1.0;
     const bool within = edge > run.from && edge < run.to;
-    if (within && ((change > 0.0 && next > edge) || (change < 0.0 && next < edge))) next = edge;
+    const bool stops = within && ((change > 0.0 && next > edge) || (change < 0.0 && next < edge));
+    if (stops) next = edge;
     const double moved = std::fabs(next - u);
     // At a corner whose two pieces both lead to it the steps go to and fro: what is left of them is known.
     if (next == before && moved > 1e-12 * count) return left % 2 == 0 ? next : u;
     before = u;
     u = next;
-    if (moved == 0.0 || (moved < 1e-15 * count) || (moved >= last && moved < 1e-12 * count)) break;
+    if (!stops && (moved < 1e-15 * count || (moved >= last && moved < 1e-12 * count))) break;
     last = moved;
   }
   return u;

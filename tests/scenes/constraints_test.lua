@@ -188,6 +188,22 @@ test("a bead goes over more corners than are looked at in a step", function()
   expect(scene.stats.fallback_steps):equal(0)
 end)
 
+test("a bead that begins beside its path by round-off, where two pieces meet, goes round it", function()
+  for _, off in ipairs { -1e-10, -1e-15, 1e-15, 1e-12, 1e-10 } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local circle = {}
+      for k = 0, 63 do circle[k + 1] = quat(vec(0, 0, 1), 2 * math.pi * k / 64):rotate(vec(1, 0, 0)) end
+      local bead = scene:particle { at = vec(1 + %.17g, 0, 0), velocity = vec(0, 10, 0) }
+      scene:on_path(bead, circle, { smooth = true, closed = true })
+    ]]):format(off))
+    scene:advance(1)
+    expect(scene.stats.fallback_steps):equal(0)
+    expect(scene.error.worst_energy):below(1e-9)
+    expect(math.atan(scene.particles[1].position.y, scene.particles[1].position.x)):near(10 - 4 * math.pi, 0.002)
+  end
+end)
+
 test("a tie that is refused is not there", function()
   local scene = open_text [[
     local p = scene:particle { at = vec(0, 2, 0) }
