@@ -262,6 +262,27 @@ test("suzuki4 refuses a spring with damping", function()
   end):fails("depends on velocities")
 end)
 
+test("what breaks or is removed is told as the thing that the script holds", function()
+  local scene = open_text [[
+    local function particle(x) return scene:particle { at = vec(x, 0, 0) } end
+    local weak = { breaks_at = { force = 5 } }
+    local ties = {
+      rod = scene:rod(particle(0), vec(0, 1, 0), weak), nail = scene:nail(particle(1), weak), follow = scene:follow(particle(2), vec(2, 0, 0), weak),
+      string = scene:string({ particle(3), vec(3, 1, 0) }, weak), on_plane = scene:on_plane(particle(4), weak),
+    }
+    local gone = scene:rod(particle(5), vec(5, 1, 0))
+    local function tell(thing)
+      for name, tie in pairs(ties) do if tie == thing then scene:result(name, true) end end
+      if thing == gone then scene:result("gone", true) end
+    end
+    scene:on("broke", tell)
+    scene:on("removed", tell)
+    scene:at(0.05, function() gone:remove() end)
+  ]]
+  scene:advance(0.2)
+  for _, name in ipairs { "rod", "nail", "follow", "string", "on_plane", "gone" } do expect(scene:result(name)):equal(true) end
+end)
+
 test("what breaks by its length says its length", function()
   local scene = open_text [[
     scene.gravity = vec(0, 0, 0)

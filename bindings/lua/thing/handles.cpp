@@ -59,6 +59,16 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
+/// What the script holds of a constraint that is gone, whatever its kind was; false, and nothing is pushed, where it holds none.
+bool push_gone(lua_State* state, Script& script, ConstraintId id) {
+  for (const ConstraintKind kind : {
+#define CONSTRAINT_KIND(name) ConstraintKind::name,
+#include "model/constraint_kinds.hpp"
+       })
+    if (push_known(state, make_ref(script, kind_of(kind), id.slot, id.generation, 0))) return true;
+  return false;
+}
+
 }  // namespace
 
 Ref make_ref(Script& script, Kind kind, std::uint32_t slot, std::uint32_t generation, std::uint64_t serial) {
@@ -94,6 +104,7 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
   if (const auto* shape = std::get_if<ShapeId>(&thing))
     return push_ref(state, ref_of(script, Kind::collider, *shape, w.shapes));
   if (const auto* id = std::get_if<ConstraintId>(&thing)) {
+    if (!w.constraints.alive(*id) && push_gone(state, script, *id)) return;
     const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::constraint;
     return push_ref(state, ref_of(script, kind, *id, w.constraints));
   }
