@@ -111,8 +111,6 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
   condition.path = &path_of(c);
   condition.extent = path_of(c).extent();
   condition.angle0 = condition.angle1 = c.as<PathData>().along;
-  condition.turned_at = infinity;
-  condition.returned = false;
   const PathRun last = c.as<PathData>().run;
   condition.run =
       last.has(condition.angle0) ? last : path_of(c).run(condition.angle0, model.plane.along(velocity(model, c.a)));

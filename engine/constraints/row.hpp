@@ -75,7 +75,7 @@ struct Condition {
   Vec3 normal = zero3();        // of a plane
   const Path* path = nullptr;   // of a point on one, and
   PathRun run;                  // of it, between two sharp corners, and
-  double turned_at = infinity;  // the one that it went round last in this step,
+  double turned_at = infinity;  // the one that it went round last in this drift,
   bool returned = false;        // whether it came back there, and
   Vec3 turning = zero3();       // the tangent on the way round one; 0: that of the path
   std::uint32_t index = 0;      // which row of its constraint it is

@@ -43,7 +43,8 @@ struct ManifoldSink {
   /// Asked where there are points: none of two that hold each other already, and of those, too.
   virtual Travel motion() const { return {}; }
   virtual Travel motion_even_if_held() const { return motion(); }
-  /// Told where triangles have points of what is behind their front by more than half of what goes back through it.
+  /// Told where triangles have points of what is behind their front by more than half of what goes back through it, or was a
+  /// step before.
   virtual void tell_behind() {}
 
  protected:

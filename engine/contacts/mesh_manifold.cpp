@@ -187,7 +187,9 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
   find_face(on.scratch.prism.hull(), pair.b.pose, 0, pair.b.feature);
   const bool ridged = t.convex[0] || t.convex[1] || t.convex[2];
   (ridged ? set_ridged_points : set_flat_points)(on, pair, t, extent.low, manifold);
-  if (-extent.low > 0.5 * deepest && (manifold.count > 0 || on.scratch.lost.size() > lost)) on.sink.tell_behind();
+  if (manifold.count == 0 && on.scratch.lost.size() == lost) return;
+  const double risen = std::fmax(0.0, dot(on.sink.motion_even_if_held().displacement, t.normal));
+  if (risen - extent.low > 0.5 * deepest) on.sink.tell_behind();
 }
 
 /// Leaves out what a neighbour told at a common edge or corner.

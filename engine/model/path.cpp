@@ -148,15 +148,27 @@ double Path::nearest(Vec3 to, double u, PathRun run) const {
 }
 
 double Path::nearest(Vec3 to) const {
+  constexpr double samples = 8.0;  // of a piece
   double best = 0.0, least = infinity;
-  const int samples = 8 * static_cast<int>(pieces_.size());
-  for (int i = 0; i <= samples; i++) {
-    const double u = i / 8.0, distance = norm2(position(u) - to);
-    if (distance >= least) continue;
+  const auto try_at = [&](double u) {
+    const double distance = norm2(position(u) - to);
+    if (distance >= least) return;
     least = distance;
     best = u;
+  };
+  for (double first = 0.0; first < pieces(); first++) {
+    if (!smooth_) {
+      const Piece& p = piece_from(first);
+      try_at(first + std::min(std::max(0.0, dot(to - p.a, p.b) / norm2(p.b)), 1.0));
+      continue;
+    }
+    for (double i = 0.0; i < samples; i++) {
+      const double u = first + i / samples, here = norm2(position(u) - to);
+      if (here > norm2(position(u - 1.0 / samples) - to) || here > norm2(position(u + 1.0 / samples) - to)) continue;
+      try_at(nearest(to, u));
+    }
   }
-  return nearest(to, best);
+  return best;
 }
 
 }  // namespace pantin

@@ -204,6 +204,38 @@ test("a bead that begins beside its path by round-off, where two pieces meet, go
   end
 end)
 
+test("a bead keeps its speed round corners with steps that go backwards, and one that hangs on it turns a track's end in a plane", function()
+  for _, phase in ipairs { 0.9, 0.95, 1, 1.03 } do
+    local scene = open_text(([[
+      scene.gravity, scene.step, scene.integrator = vec(0, 0, 0), 1 / 60, "suzuki4"
+      local bead = scene:particle { at = vec(%g, 0, 0), velocity = vec(8, 0, 0) }
+      scene:on_path(bead, { vec(0, 0, 0), vec(2, 0, 0), vec(2, 2, 0), vec(0, 2, 0) }, { closed = true })
+    ]]):format(phase))
+    scene:advance(3)
+    expect(scene.particles[1].velocity:length()):near(8, 1e-9)
+  end
+  local scene = open_text [[
+    scene.plane, scene.gravity = "xy", vec(0, 0, 0)
+    local bead = scene:particle { at = vec(0.5, 0, 0), velocity = vec(5, 0, 0) }
+    scene:on_path(bead, { vec(0, 0, 0), vec(2, 0, 0), vec(0, 0, 0) }, { closed = false })
+    scene:rod(bead, scene:particle { at = vec(0.5, -0.7, 0), mass = 0.5 })
+  ]]
+  scene:advance(0.5)
+  expect(scene.energy.kinetic):near(12.5, 1e-7)
+end)
+
+test("a point begins at the place of its path that it is on, however near a corner or another piece", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local track = { vec(0, 0, 0), vec(100, 0, 0), vec(100, 2, 0), vec(0, 2, 0) }
+    for _, x in ipairs { 1, 20, 50, 95, 98, 99.99 } do
+      local path = scene:on_path(scene:particle { at = vec(x, 0, 0) }, track)
+      scene:result(tostring(x), path.along)
+    end
+  ]]
+  for _, x in ipairs { 1, 20, 50, 95, 98, 99.99 } do expect(scene:result(tostring(x))):near(x / 100, 1e-12) end
+end)
+
 test("a tie that is refused is not there", function()
   local scene = open_text [[
     local p = scene:particle { at = vec(0, 2, 0) }

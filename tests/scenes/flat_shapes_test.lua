@@ -184,3 +184,20 @@ for what, case in pairs(from_behind) do
     expect(scene:result("touched")):equal(0)
   end)
 end
+
+test("what is fast comes through a line and triangles from behind, too", function()
+  for _, rate in ipairs { 60, 240 } do
+    for _, speed in ipairs { 7, 20, 50, 200 } do
+      for _, ground in ipairs { "shape.line { vec(-1, 0, 0), vec(1, 0, 0) }", "shape.mesh { vertices = { vec(-1, 0, 1), vec(1, 0, 1), vec(0, 0, -1) }, faces = { { 1, 2, 3 } } }" } do
+        local scene = open_text(([[
+          scene.gravity, scene.step = vec(0, 0, 0), 1 / %d
+          scene:ground { shape = %s }
+          scene:ball { radius = 0.1, at = vec(0, -2, 0), velocity = vec(0, %d, 0) }
+        ]]):format(rate, ground, speed))
+        scene:advance(1)
+        expect(scene.bodies[1].position.y):near(speed - 2, 1e-9)
+        expect(scene.ledger.push_out):equal(0)
+      end
+    end
+  end
+end)

@@ -33,10 +33,16 @@ double rate_past(const Articulate& a, const Condition& c, bool ahead) {
   return dot(v, c.path->tangent(c.angle0, c.run)) * (ahead ? 1.0 : -1.0);
 }
 
+/// Some direction across another, in the scene's plane where it has one.
+Vec3 some_across(Vec3 v, const Plane& plane) {
+  const Vec3 beside = std::fabs(v[0]) < 0.5 ? vec(1, 0, 0) : vec(0, 1, 0);
+  return direction(cross(plane.flat() ? plane.about(vec(1, 1, 1)) : beside, v));
+}
+
 /// A direction on the way from one to another, by the part of the angle between them.
-Vec3 on_the_way(Vec3 from, Vec3 to, double angle, double part) {
+Vec3 on_the_way(Vec3 from, Vec3 to, double angle, double part, const Plane& plane) {
   const Vec3 across = to - from * dot(from, to);
-  const Vec3 u = norm(across) > 1e-9 ? direction(across) : direction(cross(from, vec(from[2], from[0], -from[1])));
+  const Vec3 u = norm(across) > 1e-9 ? direction(across) : some_across(from, plane);
   return from * std::cos(part * angle) + u * std::sin(part * angle);
 }
 
@@ -173,31 +179,62 @@ void CornerSearch::tell(const Articulate& a) {
   (last_.past > 0.0 ? high_ : low_) = last_;
 }
 
+namespace {
+
+void set_tangents(const Articulate& a, const std::vector<CornerTurn>& turns, double part) {
+  for (const CornerTurn& t : turns) t.condition->turning = on_the_way(t.from, t.to, t.angle, part, a.plane);
+}
+
+/// Turns from one part (0 … 1) of the way to another: by halves where what is left across the tangent then has energy.
+void turn_between(Articulate& a, const DriftSettings& settings, double at, const std::vector<CornerTurn>& turns,
+                  double from, double to, int halvings, DriftReport& report) {
+  constexpr double most_lost = 1e-8;  // of the energy
+  constexpr int most_halvings_of_turn = 8;
+  const std::vector<Node> nodes = a.nodes;
+  const std::vector<Vec3> exerted = a.exerted;
+  const DriftReport told = report;
+  const double symmetric_energy = a.symmetric_energy, middle = 0.5 * (from + to);
+  set_tangents(a, turns, middle);
+  reflect(a, settings, at, report);
+  const double kinetic = kinetic_energy(a);
+  set_tangents(a, turns, to);
+  begin_part_at(a, settings, at, report);
+  if (symmetric_energy - a.symmetric_energy <= most_lost * kinetic || halvings == most_halvings_of_turn) return;
+  a.nodes = nodes;
+  a.exerted = exerted;
+  a.symmetric_energy = symmetric_energy;
+  report = told;
+  turn_between(a, settings, at, turns, from, middle, halvings + 1, report);
+  turn_between(a, settings, at, turns, middle, to, halvings + 1, report);
+}
+
+/// Whether it would only go to and fro over its corner as long as the step is.
+bool is_slow(const Articulate& a, const CornerTurn& t, const DriftSettings& settings) {
+  return std::fabs(rate_past(a, *t.condition, true)) <= 2.0 * norm(settings.gravity) * std::fabs(settings.full);
+}
+
+}  // namespace
+
 void turn_at_corners(Articulate& a, const DriftSettings& settings, double at, bool last, DriftReport& report) {
-  constexpr double most_at_once = 0.05;  // [rad]
+  constexpr double most_at_once = 0.5;  // [rad]
   begin_part_at(a, settings, at, report);
   const std::vector<CornerTurn> turns = turns_of(a);
   double steps = 0.0;
   for (const CornerTurn& t : turns) {
     Condition& c = *t.condition;
     c.returned = std::exchange(c.turned_at, t.corner) == t.corner;
-    last = last || c.returned;
+    last = last || (c.returned && is_slow(a, t, settings));
     steps = std::max(steps, std::ceil(t.angle / most_at_once));
   }
-  for (double i = 0.5; i < steps && !last; i++) {
-    for (const CornerTurn& t : turns) t.condition->turning = on_the_way(t.from, t.to, t.angle, i / steps);
-    reflect(a, settings, at, report);
-  }
+  for (double i = 0.0; i < steps && !last; i++)
+    turn_between(a, settings, at, turns, i / steps, (i + 1.0) / steps, 0, report);
   for (const CornerTurn& t : turns) {
     Condition& c = *t.condition;
     c.turning = zero3();
     c.run = !last ? t.run : c.returned ? PathRun{t.corner, t.corner} : PathRun{};
     c.angle0 = c.angle1 = t.corner;
   }
-  if (last)
-    report.limit += make_consistent_at(a, settings, at, report);
-  else
-    begin_part_at(a, settings, at, report);
+  if (last) report.limit += make_consistent_at(a, settings, at, report);
 }
 
 }  // namespace pantin

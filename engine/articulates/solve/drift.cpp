@@ -227,6 +227,7 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
 void drift_midpoint(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   drop_factor(a, FactorOf::projection);
   begin_effort(a);
+  for (Condition& c : a.conditions) c.turned_at = infinity;
   if (a.edited) {
     const EnergyOfConsistency gave = make_start_consistent(a, settings.step, settings.from);
     report.after_edit += gave.tied;
