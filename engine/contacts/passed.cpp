@@ -71,11 +71,10 @@ void add_crossing(const ThingsNow& p, const ContactFinder& finder, std::uint32_t
   const auto [centre, radius] = inner_ball(shape.geometry);
   const Vec3 way = of_a.way - of_b.way;
   if (!(norm(way) > radius)) return;
-  if (is_one_sided(other.geometry) && !are_known(p.contacts.list, {a, b, 0, 0})) return;  // from behind
   const Geometry inner = BallShape{(1.0 - grazing) * std::fmin(radius, 0.5 * finder.shapes_now[b].thickness)};
-  const auto met = cast(inner, {of_a.start.to_world(centre), of_a.start.R}, way, other.geometry, of_b.start);
+  const auto met = cast(inner, {of_a.start.to_world(centre), of_a.start.R}, way, other.geometry, of_b.start, true);
   if (!met || met->part == 0.0) return;
-  const auto touched = cast(shape.geometry, of_a.start, way, other.geometry, of_b.start);
+  const auto touched = cast(shape.geometry, of_a.start, way, other.geometry, of_b.start, true);
   crossings.push_back({touched ? touched->part : met->part, a, b});
 }
 

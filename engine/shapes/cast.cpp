@@ -80,12 +80,15 @@ Hit below(const Geometry& other, const Pose& own) {
 }
 
 /// Of what moves in axes of the triangles.
-Hit cast_triangles(const Geometry& moved, const Pose& own, Vec3 along, const Geometry& other) {
+Hit cast_triangles(const Geometry& moved, const Pose& own, Vec3 along, const Geometry& other, bool fronts_alone) {
   if (const Hit hit = below(other, own)) return hit;
   const Bounds bounds = bounds_of(moved, own);
   const Way way{(bounds.low + bounds.high) * 0.5, along, (bounds.high - bounds.low) * 0.5};
   TriangleHull hull;
-  const auto meet = [&](const MeshTriangle& triangle) { return cast_convex(moved, own, along, hull.of(triangle), {}); };
+  const auto meet = [&](const MeshTriangle& triangle) {
+    return fronts_alone && dot(along, triangle.normal) >= 0.0 ? Hit{}
+                                                              : cast_convex(moved, own, along, hull.of(triangle), {});
+  };
   return with_triangles(other, [&](const auto& triangles) { return first_met(triangles, way, meet); });
 }
 
@@ -101,10 +104,10 @@ Pose relative(const Pose& pose, const Pose& to) {
 }  // namespace
 
 std::optional<RayHit> cast(const Geometry& moved, const Pose& pose, Vec3 way, const Geometry& other,
-                           const Pose& at_other) {
+                           const Pose& at_other, bool fronts_alone) {
   assume(is_convex(moved));
   if (!has_triangles(other)) return cast_convex(moved, pose, way, other, at_other);
-  Hit hit = cast_triangles(moved, relative(pose, at_other), transposed_times(at_other.R, way), other);
+  Hit hit = cast_triangles(moved, relative(pose, at_other), transposed_times(at_other.R, way), other, fronts_alone);
   if (hit) hit->normal = direction(at_other.R * hit->normal);
   return hit;
 }
