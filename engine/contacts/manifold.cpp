@@ -14,8 +14,9 @@ namespace {
 constexpr double passing_overlap = 5e-4;
 /// Part of the thickness below which nothing nears.
 constexpr double no_approach = 1e-6;
-/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met.
-constexpr double blow = 0.02;
+/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met; of what rebounds, since what
+/// turns with the normal then loses energy.
+constexpr double blow = 0.02, blow_of_rebound = 0.002;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.
@@ -99,7 +100,9 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   if (there.count == 0) return;
   manifold = there;
   const ManifoldPoint& first = there.points[0];
-  if (-dot(first.normal, way_of(motion, pose, first.on_a)) > blow * pair.thickness) manifold.meeting = pose;
+  if (-dot(first.normal, way_of(motion, pose, first.on_a)) >
+      (pair.ahead.rebounds ? blow_of_rebound : blow) * pair.thickness)
+    manifold.meeting = pose;
   for (std::uint32_t i = 0; i < manifold.count; i++) {
     ManifoldPoint& p = manifold.points[i];
     const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));

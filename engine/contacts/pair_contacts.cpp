@@ -40,6 +40,10 @@ bool is_beside_rim(const Geometry& shape, const Pose& pose, Vec3 on_it, Vec3 out
   return along < same_direction * std::hypot(arm[0], arm[1]) * std::hypot(local[0], local[1]);
 }
 
+double restitution_of(const ContactSide& a, const ContactSide& b, const LayerRule* rule) {
+  return rule && rule->restitution ? *rule->restitution : std::max(a.restitution, b.restitution);
+}
+
 /// The points of one pair.
 class Collector final : public ManifoldSink {
  public:
@@ -98,7 +102,7 @@ class Collector final : public ManifoldSink {
     like_.body_b = b_.thing;
     like_.size = std::min(a_.now.thickness, b_.now.thickness);
     like_.friction = rule_ && rule_->friction ? *rule_->friction : std::sqrt(a_.friction * b_.friction);
-    like_.restitution = rule_ && rule_->restitution ? *rule_->restitution : std::max(a_.restitution, b_.restitution);
+    like_.restitution = restitution_of(a_, b_, rule_);
     if (!a_.is_solid_point()) {  // what does not turn does not roll
       like_.rolling = std::max(a_.rolling, b_.rolling);
       like_.spinning = std::max(a_.spinning, b_.spinning);
@@ -173,7 +177,8 @@ void add_contacts(const ThingsNow& p, const ContactSide& a, const ContactSide& b
   Collector collector(a, b, rule, p.contacts, p.h, found);
   SeparationCache cache;
   const double turning = p.h * norm(a.going.w - b.going.w) * std::min(a.now.reach, b.now.reach);
-  find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning}, cache, collector);
+  find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning, restitution_of(a, b, rule) > 0.0},
+                 cache, collector);
   const ContactKey key{a.key, b.key, 0, 0};
   if (!sensed && is_one_sided(b.geometry) && passes(p, key, collector, std::span(to).subspan(first))) {
     to.resize(first);

@@ -297,3 +297,18 @@ test("thin rods that meet in the air keep momentum and angular momentum, whateve
   expect((scene.momentum - momentum):length()):below(1e-12)
   expect((scene.angular_momentum - turning):length()):below(1e-9 * turning:length())
 end)
+
+test("balls that graze each other keep their energy when nothing takes any", function()
+  for _, offset in ipairs { 0.1, 0.2, 0.25, 0.27 } do
+    for _, from in ipairs { -1, -1.0021, -1.0062, -1.0083, -1.01 } do
+      local scene = open_text(([[
+        scene.gravity = vec(0, 0, 0)
+        scene:ball { radius = 0.15, at = vec(%g, 0, 0), velocity = vec(3, 0, 0), mass = 1, restitution = 1, friction = 0 }
+        scene:ball { radius = 0.15, at = vec(0, %g, 0), mass = 1, restitution = 1, friction = 0 }
+      ]]):format(from, offset))
+      scene:advance(1)
+      expect(scene.energy.kinetic):near(4.5, 1e-5)
+      expect(scene.bodies[2].velocity:length()):near(3 * (1 - (offset / 0.3) ^ 2) ^ 0.5, 1e-2)
+    end
+  end
+end)
