@@ -1858,7 +1858,7 @@ function OpenedScene:restore(snapshot) end
 ---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
 
 ---@class PathOptions: OrientOptions
----@field smooth? boolean a spline with continuous curvature; else straight pieces, round whose corners things go with all of their energy (default `false`)
+---@field smooth? boolean a spline with continuous curvature; else straight pieces, round whose corners a bead keeps its speed (default `false`)
 ---@field closed? boolean its end is its beginning (default `false`)
 
 ---@class JoinOptions

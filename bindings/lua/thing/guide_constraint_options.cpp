@@ -68,7 +68,7 @@ const ConstraintCall on_path_call = {
      "scene:on_path(p, { p.position, vec(0, 3, 0), vec(2, 3, 0) }, { smooth = true })"},
     "a point to a plane or to a path",
     R"(---@class PathOptions: OrientOptions
----@field smooth? boolean a spline with continuous curvature; else straight pieces, round whose corners things go with all of their energy (default `false`)
+---@field smooth? boolean a spline with continuous curvature; else straight pieces, round whose corners a bead keeps its speed (default `false`)
 ---@field closed? boolean its end is its beginning (default `false`)
 )"};
 

@@ -114,7 +114,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
 }
 
 /// Moves over a part, or up to where the first point is at a sharp corner of its path. Returns the moment up to which it did;
-/// none where that cannot be solved, and nothing is changed.
+/// none where that cannot be solved: nothing has moved.
 std::optional<double> solve_to_corner(Articulate& a, const DriftSettings& settings, const Part& part,
                                       DriftReport& report) {
   const auto solve = [&](double to) {
