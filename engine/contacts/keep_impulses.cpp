@@ -18,6 +18,17 @@ auto of_shapes(Contacts& list, const Contact& contact) {
   return std::span(begin, end);
 }
 
+/// Of a point that rebounds, and goes far along faces in one plane in a drift: the nearest with the same normal; nullptr if none.
+const Contact* rebounding(std::span<const Contact> before, const Contact& now) {
+  constexpr double same_normal = 1e-8;  // of the cosine
+  const Contact* best = nullptr;
+  for (const Contact& c : before)
+    if (c.rebound > 0.0 && dot(c.normal, now.normal) > 1.0 - same_normal &&
+        (best == nullptr || norm2(c.at - now.at) < norm2(best->at - now.at)))
+      best = &c;
+  return best;
+}
+
 /// Shares out the impulses of a point that is gone among those of the same two shapes, so that they act where it was, if that
 /// is between them: by the weights that are nearest to equal ones.
 void share_out(const Contact& from, std::span<Contact> points) {
@@ -80,7 +91,8 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
       least = distance;
       best = &c;
     }
-    if (best != nullptr) inherit(now[i], *best);
+    if (best == nullptr) best = rebounding(of_shapes(before, now[i]), now[i]);
+    if (best != nullptr && !inherited[index_of(*best)]) inherit(now[i], *best);
   }
   for (const Contact& c : before) {
     if (c.body_b < 0 || inherited[index_of(c)] || norm2(c.place_impulse) + norm2(c.total) == 0.0) continue;

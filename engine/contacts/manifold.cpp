@@ -1,6 +1,9 @@
 #include "contacts/manifold.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/functions.hpp"
 #include "contacts/manifold_parts.hpp"
@@ -16,7 +19,7 @@ constexpr double passing_overlap = 5e-4;
 constexpr double no_approach = 1e-6;
 /// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met; of what rebounds, since what
 /// turns with the normal then loses energy.
-constexpr double blow = 0.02, blow_of_rebound = 0.002;
+constexpr double least_blow = 0.02, least_blow_of_rebound = 0.002;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.
@@ -31,6 +34,9 @@ struct Pair {
   Ahead ahead;
   double thickness;  ///< [m]
   double overlap() const { return passing_overlap * thickness; }
+  double blow() const {
+    return (ahead.rebounds ? least_blow_of_rebound : least_blow) * thickness;
+  }  ///< [m] in the step
 };
 
 Pose moved(const Pose& pose, const Travel& motion, double part) {
@@ -44,19 +50,47 @@ Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
   return motion.displacement + cross(motion.turn, on_a - at_a.x);
 }
 
+struct PartManifold {
+  Manifold manifold;
+  std::uint32_t part;
+};
+
+/// Keeps what is told.
+struct Collected final : ManifoldSink {
+  std::vector<PartManifold> found;
+  bool behind = false;
+  const ManifoldSink* to = nullptr;
+  void clear() {
+    found.clear();
+    behind = false;
+  }
+  void take(const Manifold& manifold, std::uint32_t part) override { found.push_back({manifold, part}); }
+  Travel motion_even_if_held() const override { return to->motion_even_if_held(); }
+  void tell_behind() override { behind = true; }
+};
+
+/// Tells the points of a, where it would be at a pose, on planes or triangles.
+void find_on_faces(const Pair& pair, const Pose& at_a, ManifoldSink& sink) {
+  if (!std::holds_alternative<HalfSpaceShape>(pair.b))
+    return convex_on_triangles(pair.a, at_a, pair.b, pair.at_b, pair.ahead.margin, sink);
+  Manifold manifold;
+  convex_on_plane(pair.a, at_a, pair.at_b, pair.ahead.margin, manifold);
+  if (manifold.count > 0) sink.take(manifold, 0);
+}
+
 struct Meeting {
   double part;
   Vec3 normal;
 };
 
-/// When a motion first makes shapes overlap by so much [m], by Newton's method: of straight motion the distance is convex, and no
-/// step goes too far.
-std::optional<Meeting> first_overlap(const Pair& pair, const Travel& motion, double overlap) {
-  SeparationCache cache;
+/// When a motion first makes a overlap by so much [m] what `gap_at` (pose of a) tells the distance to, by Newton's method: of
+/// straight motion the distance is convex, and no step goes too far.
+template <class GapAt>
+std::optional<Meeting> first_overlap(const Pair& pair, const Travel& motion, double overlap, GapAt&& gap_at) {
   double part = 0.0;
   for (int round = 0; round < most_rounds; round++) {
     const Pose pose = moved(pair.at_a, motion, part);
-    const Separation gap = separation(pair.a, pose, pair.b, pair.at_b, infinity, &cache);
+    const Separation gap = gap_at(pose);
     const double left = gap.distance + overlap;
     if (left <= 1e-3 * pair.overlap()) return Meeting{part, gap.normal};
     const double nearing = -dot(gap.normal, way_of(motion, pose, gap.on_a));
@@ -68,6 +102,24 @@ std::optional<Meeting> first_overlap(const Pair& pair, const Travel& motion, dou
     part = 1.0;
   }
   return Meeting{part, zero3()};
+}
+
+std::optional<Meeting> first_overlap(const Pair& pair, const Travel& motion, double overlap) {
+  SeparationCache cache;
+  return first_overlap(pair, motion, overlap,
+                       [&](const Pose& pose) { return separation(pair.a, pose, pair.b, pair.at_b, infinity, &cache); });
+}
+
+/// The same of the plane of a point.
+std::optional<Meeting> first_overlap_of_plane(const Pair& pair, const Travel& motion, const ManifoldPoint& p) {
+  const Core core = core_of(pair.a);
+  return first_overlap(pair, motion, 0.0, [&](const Pose& pose) {
+    Separation gap;
+    gap.normal = p.normal;
+    gap.on_a = pose.to_world(support(core, transposed_times(pose.R, -p.normal))) - p.normal * core.rounding;
+    gap.distance = dot(p.normal, gap.on_a - p.on_a) + p.gap;
+    return gap;
+  });
 }
 
 /// When a motion first makes shapes touch that come to overlap as none do that pass.
@@ -92,6 +144,16 @@ void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Mani
     convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.ahead, cache, manifold);
 }
 
+/// Points of where a was at a pose are those of where it is now.
+void move_back(const Pair& pair, const Pose& pose, Manifold& manifold) {
+  for (std::uint32_t i = 0; i < manifold.count; i++) {
+    ManifoldPoint& p = manifold.points[i];
+    const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));
+    p.gap += dot(p.normal, now - p.on_a);
+    p.on_a = now;
+  }
+}
+
 void set_points_there(const Pair& pair, const Travel& motion, double part, Manifold& manifold) {
   SeparationCache cache;
   Manifold there;
@@ -100,15 +162,8 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   if (there.count == 0) return;
   manifold = there;
   const ManifoldPoint& first = there.points[0];
-  if (-dot(first.normal, way_of(motion, pose, first.on_a)) >
-      (pair.ahead.rebounds ? blow_of_rebound : blow) * pair.thickness)
-    manifold.meeting = pose;
-  for (std::uint32_t i = 0; i < manifold.count; i++) {
-    ManifoldPoint& p = manifold.points[i];
-    const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));
-    p.gap += dot(p.normal, now - p.on_a);
-    p.on_a = now;
-  }
+  if (-dot(first.normal, way_of(motion, pose, first.on_a)) > pair.blow()) manifold.meeting = pose;
+  move_back(pair, pose, manifold);
 }
 
 bool is_round(const Geometry& shape) {
@@ -174,6 +229,50 @@ void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifo
   manifold.points[manifold.count++].id = inner_ball_id;
 }
 
+/// Where faces of what is no convex shape are met.
+std::optional<Pose> meeting_with_faces(const Pair& pair, Travel motion, std::span<const PartManifold> found) {
+  motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
+  if (norm(motion.turn) > most_turn) return {};
+  double first = infinity;
+  for (const auto& [manifold, part] : found)
+    for (std::uint32_t i = 0; i < manifold.count; i++) {
+      const ManifoldPoint& p = manifold.points[i];
+      if (p.gap <= pair.overlap() || way_past(pair, motion, p) <= 0.0) continue;
+      const std::optional<Meeting> meeting = first_overlap_of_plane(pair, motion, p);
+      if (meeting && norm2(meeting->normal) > 0.0) first = std::fmin(first, meeting->part);
+    }
+  if (first == infinity) return {};
+  return moved(pair.at_a, motion, first);
+}
+
+/// Tells the points of planes and triangles that a motion meets, or else those of now.
+void tell_foreseen(const Pair& pair, ManifoldSink& sink) {
+  thread_local Collected now, there;
+  now.clear();
+  now.to = there.to = &sink;
+  find_on_faces(pair, pair.at_a, now);
+  if (now.behind) sink.tell_behind();
+  const Travel motion = now.found.empty() ? Travel{} : sink.motion();
+  const std::optional<Pose> pose = meeting_with_faces(pair, motion, now.found);
+  if (pose) {
+    there.clear();
+    find_on_faces(pair, *pose, there);
+    const bool strikes = std::any_of(there.found.begin(), there.found.end(), [&](const PartManifold& f) {
+      const ManifoldPoint& p = f.manifold.points[0];
+      return std::fabs(p.gap) < pair.overlap() && -dot(p.normal, way_of(motion, *pose, p.on_a)) > pair.blow();
+    });
+    if (strikes) {
+      for (PartManifold& f : there.found) {
+        f.manifold.meeting = pose;
+        move_back(pair, *pose, f.manifold);
+        sink.take(f.manifold, f.part);
+      }
+      return;
+    }
+  }
+  for (const auto& [manifold, part] : now.found) sink.take(manifold, part);
+}
+
 }  // namespace
 
 InnerBall inner_ball(const Geometry& shape) {
@@ -184,19 +283,13 @@ InnerBall inner_ball(const Geometry& shape) {
 
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
                     SeparationCache& cache, ManifoldSink& sink) {
+  const Pair pair{a, at_a, b, at_b, ahead, std::fmin(thickness_of(a), thickness_of(b))};
+  if (!is_convex(b)) return tell_foreseen(pair, sink);
   Manifold manifold;
-  if (is_convex(b)) {
-    const Pair pair{a, at_a, b, at_b, ahead, std::fmin(thickness_of(a), thickness_of(b))};
-    set_points(pair, at_a, cache, manifold);
-    if (manifold.count > 0) {
-      foresee(pair, sink.motion(), manifold);
-      add_inner_ball(pair, sink, manifold);
-    }
-  } else if (std::holds_alternative<HalfSpaceShape>(b)) {
-    convex_on_plane(a, at_a, at_b, ahead.margin, manifold);
-  } else {
-    return convex_on_triangles(a, at_a, b, at_b, ahead.margin, sink);
-  }
+  set_points(pair, at_a, cache, manifold);
+  if (manifold.count == 0) return;
+  foresee(pair, sink.motion(), manifold);
+  add_inner_ball(pair, sink, manifold);
   if (manifold.count > 0) sink.take(manifold, 0);
 }
 

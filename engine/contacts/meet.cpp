@@ -110,6 +110,13 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
   turn_back(model, articulates, island, drifted, pushed, missing);
 }
 
+/// [m] Where what was foreseen was met: between its ends of now.
+Vec3 met_at(const Model& model, const Articulates& articulates, const Contact& c, bool drifted) {
+  const Vec3 of_a = centre_of(model, articulates, c.body_a, drifted) + c.arm_a;
+  if (c.body_b < 0) return of_a;
+  return (of_a + centre_of(model, articulates, static_cast<std::uint32_t>(c.body_b), drifted) + c.arm_b) * 0.5;
+}
+
 /// Where shapes have contacts of before the drift, those of now are not used.
 void leave_to_past(const std::vector<Contact>& list, std::vector<char>& used) {
   for (std::size_t first = 0, last = 0; first < list.size(); first = last) {
@@ -130,6 +137,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
     c.place_index = -1;
+    if (c.from_before) c.at = met_at(model, articulates, c, settings.drifted);
     used[k] = c.from_before || c.gap <= (norm2(c.place_impulse) > 0.0 ? held_gap : closed_gap) * c.size;
   }
   leave_to_past(contacts.list, used);
@@ -147,7 +155,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       IslandContact& c = problem.contacts[k];
       c.other_start = to_frame(c, from.place_impulse);
       c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
-      rebounds = rebounds || from.rebound > 0.0;
+      rebounds = rebounds || from.rebound > 0.0 || (from.restitution > 0.0 && from.approach == 0.0);
     }
     set_scalars(island, articulates, h, h, h);
     close_scalars(island, articulates, h);

@@ -132,12 +132,12 @@ class TakeBack {
       lose_as_then(p, -2.0);
     }
   }
-  /// Whether it turns about its length as good as without inertia.
+  /// Whether it turns about its length as good as without inertia; in a plane nothing does.
   bool is_thin(std::int32_t body) const {
     constexpr double thin = 50.0;
     const Vec3 inverse = island_.states[static_cast<std::size_t>(body)].inverse_inertia;
     const auto [least, most] = std::minmax({inverse[0], inverse[1], inverse[2]});
-    return most > thin * least;
+    return least > 0.0 && most > thin * least;
   }
   /// By how much its body's turn has carried the end of an arm of then.
   Vec3 carried(std::int32_t body, Vec3 arm) const {

@@ -1,0 +1,62 @@
+-- What has restitution 1 and no friction keeps its energy, whatever it strikes, and wherever in the step it does.
+
+--- What a body alone has lost of its energy after so long, a part of it.
+local function lost(text, values, time)
+  local filled = text:gsub("%$(%w+)", values)
+  local scene = open_text(filled)
+  scene:advance(0.001)
+  local before = scene.energy.total
+  scene:advance(time)
+  expect(scene.error.worst_energy):below(1e-9)
+  return 1 - scene.energy.total / before
+end
+
+local room = [[
+  scene.step = 1 / 60
+  scene.plane = "xy"
+  local corners = {}
+  for i = 0, $sides do
+    local angle = 2 * math.pi * i / $sides + 0.2
+    corners[#corners + 1] = vec(5 * math.cos(angle), 5 * math.sin(angle), 0)
+  end
+  scene:ground { shape = shape.line(corners) }
+  local ball = scene:ball { radius = 0.15, at = vec(0.3, -0.2, 0), restitution = 1, friction = 0, density = 10 }
+  ball.velocity = vec(math.cos($angle), math.sin($angle), 0) * $speed
+]]
+
+test("a ball in a closed room of lines keeps its energy, along which of a line's triangles it goes", function()
+  for _, speed in ipairs { 20, 60, 120 } do
+    for _, sides in ipairs { 4, 5, 12 } do
+      for angle = 0.1, 1.5, 0.2 do
+        expect(math.abs(lost(room, { speed = speed, sides = sides, angle = angle }, 5))):below(2e-3)
+      end
+    end
+  end
+end)
+
+local corner = [[
+  scene.step = 1 / $hz
+  if $flat then scene.plane = "xy" end
+  scene:ground { shape = $ground }
+  local box = scene:box { size = vec(0.4, 0.3, 0.35), density = 20, at = vec(0, 2, 0), restitution = 1, friction = 0,
+                          orientation = quat(vec(0, 0, 1), $angle) }
+  box.velocity = vec(0.7, -4, 0)
+]]
+
+local grounds = {
+  plane = { "false", "shape.plane { at = vec(0, 0, 0), normal = vec(0, 1, 0) }" },
+  box = { "false", "shape.box { size = vec(40, 2, 40), at = vec(0, -1, 0) }" },
+  mesh = { "false", "shape.mesh({ vec(-20, 0, 20), vec(20, 0, 20), vec(20, 0, -20), vec(-20, 0, -20) }, { { 1, 2, 3 }, { 1, 3, 4 } })" },
+  ["line in a plane"] = { "true", "shape.line { vec(-20, 0, 0), vec(20, 0, 0) }" },
+  ["box in a plane"] = { "true", "shape.box { size = vec(40, 2, 40), at = vec(0, -1, 0) }" },
+}
+
+for name, ground in pairs(grounds) do
+  test("a box that falls on its corners keeps its energy: " .. name, function()
+    for hz, bound in pairs { [60] = 8e-3, [240] = 1e-3 } do
+      for angle = 0.1, 1.5, 0.2 do
+        expect(math.abs(lost(corner, { hz = hz, angle = angle, flat = ground[1], ground = ground[2] }, 3))):below(bound)
+      end
+    end
+  end)
+end
