@@ -11,7 +11,8 @@ namespace pantin {
 
 namespace {
 
-/// Sets how bodies go on: less what contacts stopped in the last drift, since the end of the step does not give that back.
+/// Sets how bodies go on: less what contacts stopped in the last drift, since the end of the step does not give that back, or
+/// as what rebounds.
 void find_going(const Model& model, ContactFinder& finder, const Contacts& contacts) {
   constexpr double least_stop = 1e-6;  // part of the speed: less is round-off
   std::vector<Going>& going = finder.going;
@@ -21,8 +22,9 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
                  &b = c.body_b < 0 ? world : going[number_of(model, static_cast<std::uint32_t>(c.body_b))];
     const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
     if (!(nearing > 0.0 && dot(c.place_impulse, c.normal) * lightness > least_stop * nearing)) continue;
-    a.v += c.normal * (nearing / (a.mass * lightness));
-    b.v -= c.normal * (nearing / (b.mass * lightness));
+    const Vec3 change = c.normal * ((nearing + c.rebound) / lightness);
+    a.v += change / a.mass;
+    b.v -= change / b.mass;
   }
 }
 
