@@ -22,8 +22,9 @@ bool kept_apart(const Contacts& contacts, const ContactKey& key) {
 }
 
 Travel travel(const ContactSide& a, const ContactSide& b, double h) {
-  const Vec3 of_b = b.going.v + cross(b.going.w, a.now.pose.x - b.now.pose.x + b.now.arm);
-  return {(a.going.v + cross(a.going.w, a.now.arm) - of_b) * h, (a.going.w - b.going.w) * h};
+  const Vec3 turn = turn_of(b.geometry, b.now.pose, b.going.w);
+  const Vec3 of_b = b.going.v + cross(b.going.w, b.now.arm) + cross(turn, a.now.pose.x - b.now.pose.x);
+  return {(a.going.v + cross(a.going.w, a.now.arm) - of_b) * h, (a.going.w - turn) * h};
 }
 
 Roundness roundness_of(const Geometry& shape, const Pose& pose) {

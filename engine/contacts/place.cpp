@@ -67,10 +67,32 @@ void foresee_spins(const Model& model, TouchIsland& island, double h) {
   }
 }
 
-/// Of several that rebound at once none knows when it is met: they are met where they are after the drift.
-void meet_several_at_end(const TouchIsland& island, Contacts& contacts) {
-  for (const std::size_t k : island.contacts)
-    if (Contact& c = contacts.list[k]; c.body_b >= 0 && c.restitution > 0.0) c.foreseen = false;
+/// What rebounds off one of several that a body meets in the drift does not know when: it is met where it is after the drift.
+void meet_several_at_end(const TouchIsland& island, Contacts& contacts, double h) {
+  constexpr std::int32_t nothing = -2, several = -3;
+  const ContactIsland& problem = island.problem;
+  std::vector<std::int32_t> met(problem.bodies.size(), nothing);  // (bodies) what they meet
+  const auto meets = [&](std::int32_t body, std::int32_t other) {
+    if (body < 0) return;
+    std::int32_t& one = met[static_cast<std::size_t>(body)];
+    one = one == nothing || one == other ? other : several;
+  };
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    const Contact& from = contacts.list[island.contacts[k]];
+    const IslandContact& c = problem.contacts[k];
+    if (dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0)) * h >= -from.gap) continue;
+    meets(c.a, c.b);
+    meets(c.b, c.a);
+  }
+  const auto meets_several = [&](std::int32_t body) {
+    return body >= 0 && met[static_cast<std::size_t>(body)] == several;
+  };
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    Contact& from = contacts.list[island.contacts[k]];
+    const IslandContact& c = problem.contacts[k];
+    if (c.b >= 0 && from.restitution > 0.0 && (problem.is_tied() || meets_several(c.a) || meets_several(c.b)))
+      from.foreseen = false;
+  }
 }
 
 /// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
@@ -196,7 +218,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     const double slow = slow_of(settings, problem);
-    if (problem.bodies.size() != 2 || problem.is_tied()) meet_several_at_end(island, contacts);
+    meet_several_at_end(island, contacts, h);
     act_where_met(island, contacts, false);
     take_half_of_gravity(model, island, settings);
     foresee_spins(model, island, h);
