@@ -34,6 +34,7 @@ struct Pair {
   Ahead ahead;
   double thickness;  ///< [m]
   double overlap() const { return passing_overlap * thickness; }
+  double held_already() const { return ahead.rebounds ? 0.0 : overlap(); }  ///< [m] what is open by less has its points
   double blow() const {
     return (ahead.rebounds ? least_blow_of_rebound : least_blow) * thickness;
   }  ///< [m] in the step
@@ -207,7 +208,7 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
     manifold.count = 0;
     return;
   }
-  if (least > pair.overlap() || dot(meeting->normal, normal) < 1.0 - same_normal)
+  if (least > pair.held_already() || dot(meeting->normal, normal) < 1.0 - same_normal)
     set_points_there(pair, motion, meeting->part, manifold);
 }
 
@@ -237,7 +238,7 @@ std::optional<Pose> meeting_with_faces(const Pair& pair, Travel motion, std::spa
   for (const auto& [manifold, part] : found)
     for (std::uint32_t i = 0; i < manifold.count; i++) {
       const ManifoldPoint& p = manifold.points[i];
-      if (p.gap <= pair.overlap() || way_past(pair, motion, p) <= 0.0) continue;
+      if (p.gap <= pair.held_already() || way_past(pair, motion, p) <= 0.0) continue;
       const std::optional<Meeting> meeting = first_overlap_of_plane(pair, motion, p);
       if (meeting && norm2(meeting->normal) > 0.0) first = std::fmin(first, meeting->part);
     }
