@@ -198,6 +198,7 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
   motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
   if (norm(motion.turn) > most_turn) return;
   const double deep = 2.0 * pair.overlap();
+  const Travel free = motion;
   if (most < deep) {
     if ((is_round(pair.a) || is_round(pair.b)) && ends_beside(pair, motion, most))
       return set_points_there(pair, motion, 1.0, manifold);
@@ -208,8 +209,11 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
     manifold.count = 0;
     return;
   }
-  if (least > pair.held_already() || dot(meeting->normal, normal) < 1.0 - same_normal)
-    set_points_there(pair, motion, meeting->part, manifold);
+  if (!(least > pair.held_already() || dot(meeting->normal, normal) < 1.0 - same_normal)) return;
+  if (most < deep && pair.ahead.rebounds)
+    if (const auto touches = first_overlap(pair, free, 0.0); touches && norm2(touches->normal) > 0.0)
+      return set_points_there(pair, free, touches->part, manifold);
+  set_points_there(pair, motion, meeting->part, manifold);
 }
 
 /// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too, where it would meet
