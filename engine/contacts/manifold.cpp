@@ -137,6 +137,16 @@ double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) 
   return nearing > no_approach * pair.thickness ? nearing - p.gap : 0.0;
 }
 
+/// What is to be foreseen: of two that rebound and strike, though one kept the other out in the last drift, they did not meet in it.
+Travel motion_of(const Pair& pair, const ManifoldSink& sink, std::span<const ManifoldPoint> points) {
+  if (!pair.ahead.rebounds) return sink.motion();
+  const Travel motion = sink.motion_even_if_held();
+  const auto strikes = [&](const ManifoldPoint& p) {
+    return -dot(p.normal, way_of(motion, pair.at_a, p.on_a)) > pair.blow();
+  };
+  return std::any_of(points.begin(), points.end(), strikes) ? motion : sink.motion();
+}
+
 void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
   const auto *box_a = std::get_if<BoxShape>(&pair.a), *box_b = std::get_if<BoxShape>(&pair.b);
   if (box_a != nullptr && box_b != nullptr)
@@ -293,7 +303,7 @@ void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, cons
   Manifold manifold;
   set_points(pair, at_a, cache, manifold);
   if (manifold.count == 0) return;
-  foresee(pair, sink.motion(), manifold);
+  foresee(pair, motion_of(pair, sink, std::span(manifold.points).first(manifold.count)), manifold);
   add_inner_ball(pair, sink, manifold);
   if (manifold.count > 0) sink.take(manifold, 0);
 }
