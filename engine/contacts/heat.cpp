@@ -28,20 +28,24 @@ HeatOf::Slip HeatOf::slip(const Placing& impulse) const {
 }
 
 void HeatOf::add(double work) {
-  if (impulses_.empty()) return;
-  std::vector<double> works;
-  double sum = 0.0, size = 0.0;
-  for (std::size_t k = 0; k < impulses_.size(); k++) {
-    const Slip after = slip(impulses_[k]);
-    works.push_back(0.5 * (dot(impulses_[k].impulse, before_[k].velocity + after.velocity) +
-                           dot(impulses_[k].moment, before_[k].spin + after.spin)));
-    sum += works[k];
-    size += norm(impulses_[k].impulse);
-  }
+  double sum = 0.0;
   for (std::size_t k = 0; k < impulses_.size(); k++) {
     const Placing& p = impulses_[k];
-    const double part = size > 0.0 ? norm(p.impulse) / size : 1.0 / static_cast<double>(works.size());
-    to_.push_back({pair_of(model_, p.body_a, p.body_b, p.shape_b), -works[k] - part * (work - sum)});
+    const Slip after = slip(p);
+    const double by =
+        0.5 * (dot(p.impulse, before_[k].velocity + after.velocity) + dot(p.moment, before_[k].spin + after.spin));
+    to_.push_back({pair_of(model_, p.body_a, p.body_b, p.shape_b), -by});
+    sum += by;
+  }
+  share_work(model_, impulses_, work - sum, to_);
+}
+
+void share_work(const Model& model, std::span<const Placing> impulses, double work, std::vector<TouchHeat>& to) {
+  double size = 0.0;
+  for (const Placing& p : impulses) size += norm(p.impulse);
+  for (const Placing& p : impulses) {
+    const double part = size > 0.0 ? norm(p.impulse) / size : 1.0 / static_cast<double>(impulses.size());
+    to.push_back({pair_of(model, p.body_a, p.body_b, p.shape_b), -part * work});
   }
 }
 

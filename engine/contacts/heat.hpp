@@ -33,6 +33,9 @@ class HeatOf {
   std::vector<Slip> before_;  // (impulses)
 };
 
+/// Adds work [J] that ties did where these impulses made them, shared by impulse, or evenly where all are 0.
+void share_work(const Model& model, std::span<const Placing> impulses, double work, std::vector<TouchHeat>& to);
+
 /// What friction and impact took of the two in the last step [J]; nothing where that is not kept.
 std::optional<double> heat_of(const Contacts& contacts, const TouchPair& pair);
 

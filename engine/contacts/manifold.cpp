@@ -137,12 +137,12 @@ double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) 
   return nearing > no_approach * pair.thickness ? nearing - p.gap : 0.0;
 }
 
-/// What is to be foreseen: of two that rebound and strike, though one kept the other out in the last drift, they did not meet in it.
+/// What is to be foreseen: two that rebound and strike, though one kept the other out in the last drift, did not meet in it.
 Travel motion_of(const Pair& pair, const ManifoldSink& sink, std::span<const ManifoldPoint> points) {
   if (!pair.ahead.rebounds) return sink.motion();
   const Travel motion = sink.motion_even_if_held();
   const auto strikes = [&](const ManifoldPoint& p) {
-    return -dot(p.normal, way_of(motion, pair.at_a, p.on_a)) > pair.blow();
+    return p.gap > held_gap * pair.thickness && -dot(p.normal, way_of(motion, pair.at_a, p.on_a)) > pair.blow();
   };
   return std::any_of(points.begin(), points.end(), strikes) ? motion : sink.motion();
 }

@@ -43,6 +43,14 @@ std::vector<WorkOnThing> answer_where_nothing_touches(Model& model, const Articu
   return work;
 }
 
+/// What a thing's articulate took that touches nothing after the drift is of those that it was touched by before.
+void share_heat_beside(const Model& model, std::span<const TouchIsland> placed, std::size_t thing, double work,
+                       Contacts& contacts) {
+  for (const TouchIsland& island : placed)
+    if (std::find(island.things.begin(), island.things.end(), thing) != island.things.end())
+      return share_work(model, island.placed, work, contacts.new_heat);
+}
+
 /// What ties that move give by impulses at the end of the step.
 ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& island) {
   ImpulseWork work;
@@ -199,6 +207,9 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     heat.add(work);
   });
   const std::vector<WorkOnThing> beside = answer_where_nothing_touches(model, articulates, islands, settings, sum);
+  if (contacts.heat_kept)
+    for (const auto& [thing, by] : beside)
+      share_heat_beside(model, std::span(space.placing).first(space.placed), thing, by, contacts);
   const Gains gains = settle_gains(model, articulates, std::span(space.placing).first(space.placed), islands, beside,
                                    norm(settings.gravity) * settings.step, settings.drifted);
   sum.wrong = gains.wrong;

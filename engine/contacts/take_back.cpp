@@ -27,7 +27,8 @@ constexpr double badly_foreseen = 0.05;  // of what turning moves it: to the nex
 /// What became of a contact that `place` held.
 struct PlacedNow {
   const Contact* touching = nullptr;  // if it touches still
-  bool is_met = false;                // by `meet`
+  bool is_met = false;                // by `meet`,
+  bool was_foreseen = false;          // where it was foreseen
 };
 
 /// (by number of what `place` gave)
@@ -40,6 +41,7 @@ std::vector<PlacedNow> placed_now(const Contacts& contacts, std::span<const Touc
     PlacedNow& now = all[static_cast<std::size_t>(c.place_index)];
     const double open = closed_gap * c.size + (c.rebound == 0.0 ? badly_foreseen * c.turning : 0.0);
     if (!c.from_before && c.gap <= open) now.touching = &c;
+    now.was_foreseen = now.was_foreseen || c.from_before;
     now.is_met = now.is_met || c.from_before || c.gap <= held_gap * c.size;
   }
   return all;
@@ -209,7 +211,8 @@ class TakeBack {
     std::vector<Vec3> missing(island_.things.size(), zero3());  // [N m s]
     for (const BodyImpulse& g : island_.given) missing[g.body] += angular(g);
     std::vector<std::array<std::int32_t, 2>> pushed;
-    for (const Placing& p : island_.placed) {
+    for (std::size_t k = 0; k < now_.size(); k++) {
+      const Placing& p = island_.placed[k];
       pushed.push_back({p.a, p.b});
       if (!p.foreseen || p.b < 0) continue;
       Vec3 lost = zero3();
@@ -217,7 +220,10 @@ class TakeBack {
         lost += angular(g);
         if (!island_.solved) missing[g.body] -= angular(g);
       });
-      space_.turned[number_of(model_, p.body_a)] += p.turned - lost;
+      if (now_[k].was_foreseen)
+        space_.turned[number_of(model_, p.body_a)] += p.turned - lost;
+      else
+        missing[static_cast<std::size_t>(p.a)] += lost - p.turned;
     }
     return turn_back(model_, articulates_, island_, settings_.drifted, pushed, missing);
   }

@@ -60,3 +60,25 @@ for name, ground in pairs(grounds) do
     end
   end)
 end
+
+test("ten balls in a closed box keep their energy for 20 s, whatever they strike at once", function()
+  for _, case in ipairs { { flat = "false", bound = 1e-3 }, { flat = "true", bound = 2e-2 } } do
+    for seed = 1, 4 do
+      expect(math.abs(lost([[
+        scene.step, scene.seed, scene.gravity = 1 / 240, $seed, vec(0, 0, 0)
+        local flat = $flat
+        if flat then scene.plane = "xy" end
+        for _, d in ipairs { vec(1, 0, 0), vec(0, 1, 0), vec(0, 0, 1) } do
+          for side = -1, 1, 2 do
+            if not (flat and d.z ~= 0) then scene:ground { shape = shape.plane { at = d * -side, normal = d * side } } end
+          end
+        end
+        for i = 0, 9 do
+          local ball = scene:ball { radius = 0.15, at = vec(-0.7 + 0.35 * (i % 5), -0.6 + 0.4 * (i // 5), flat and 0 or -0.6),
+                                    restitution = 1, friction = 0 }
+          ball.velocity = vec(math.random(), math.random(), flat and 0.5 or math.random()) * 4 - vec(2, 2, 2)
+        end
+      ]], { seed = seed, flat = case.flat }, 20))):below(case.bound)
+    end
+  end
+end)
