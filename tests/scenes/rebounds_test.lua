@@ -82,3 +82,20 @@ test("ten balls in a closed box keep their energy for 20 s, whatever they strike
     end
   end
 end)
+
+test("a bead that turns a corner and strikes a box in the same step passes its speed on", function()
+  for _, hz in ipairs { 60, 240 } do
+    for phase = 0, 11 do
+      local scene = open_text(([[
+        scene.step, scene.gravity = 1 / %d, vec(0, 0, 0)
+        local ball = scene:ball { radius = 0.1, at = vec(-0.3 - 0.05 * %d / 12, 0, 0), velocity = vec(3, 0, 0), mass = 1,
+                                  restitution = 1, friction = 0, points = { o = vec(0, 0, 0) } }
+        scene:on_path(ball.o, { vec(-2, 0, 0), vec(0, 0, 0), vec(0, 9, 0) })
+        scene:box { size = 0.5, at = vec(0, 0.36, 0), mass = 1, restitution = 1, friction = 0, name = "box" }
+      ]]):format(hz, phase))
+      scene:advance(0.5)
+      expect(scene.bodies[1].velocity:length()):below(1e-6)
+      expect(scene.bodies[2].velocity.y):near(3, 1e-6)
+    end
+  end
+end)
