@@ -53,6 +53,7 @@ struct Contact {
   Vec3 total = zero3(), total_moment = zero3();
   std::int32_t place_index = -1;  ///< of what `place` gave it, among all of the pass, as long as it lasts; -1: nothing
   double approach = 0.0;          ///< [m/s] along the normal at the start of the step, below 0: nearing
+  double gap_before = 0.0;        ///< [m] at the start of the step, 0 at least
   double rebound = 0.0;           ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
   double turning = 0.0;           ///< [m] by how much turning alone was foreseen to move it in the drift
   bool foreseen = false;          ///< it is where a motion within the step will take a to b:

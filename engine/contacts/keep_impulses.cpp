@@ -66,6 +66,7 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
     c.total_moment = from.total_moment;
     c.approach = from.approach;
     c.rebound = from.rebound;
+    c.gap_before = from.gap_before;
     c.turning = from.turning;
     c.closed_beyond = std::max(c.closed_beyond, from.closed_beyond);
     if (from.checks_drift && norm2(from.place_impulse) > 0.0)

@@ -63,6 +63,18 @@ ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& isla
   return work;
 }
 
+/// Speed [m/s] with which what is tied leaves what does not move, as if it had met it at the surface: between the start and the
+/// end of the drift of h [s] the square of its speed goes evenly along its way.
+double rebound_of_tied(const Contact& from, const IslandContact& c, const ContactIsland& problem, double h) {
+  if (from.rebound == 0.0) return 0.0;
+  const double start = -from.approach,
+               end = -dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
+  const double way = 0.5 * (start + end) * h;
+  if (!(way > 0.0)) return 0.0;
+  const double part = std::min(1.0, from.gap_before / way);
+  return from.restitution * std::sqrt(std::max(0.0, start * start + (end * end - start * start) * part));
+}
+
 /// Whether ties bore anything of what `place` gave the contacts of an island, beyond round-off.
 bool ties_bore(const TouchIsland& island, const Articulates& articulates, const std::vector<Contact>& contacts) {
   double most = 0.0, given = 0.0;  // [N s]
@@ -157,17 +169,17 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     ContactIsland& problem = island.problem;
     act_where_met(island, contacts, true);
     start_meeting(island, contacts, articulates);
+    set_scalars(island, articulates, h, h, h);
+    close_scalars(island, articulates, h);
+    hold_ties(problem);
     bool rebounds = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       c.other_start = to_frame(c, from.place_impulse);
-      c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
+      c.rebound = from.body_b >= 0 ? 0.0 : problem.is_tied() ? rebound_of_tied(from, c, problem, h) : from.rebound;
       rebounds = rebounds || from.rebound > 0.0 || (from.restitution > 0.0 && from.approach == 0.0);
     }
-    set_scalars(island, articulates, h, h, h);
-    close_scalars(island, articulates, h);
-    hold_ties(problem);
     if (rebounds) {
       double done_before = 0.0;
       const bool by_contacts = !problem.is_tied() || !ties_bore(island, articulates, contacts.list);

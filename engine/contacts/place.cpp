@@ -239,6 +239,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
       if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
       to.place_impulse = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
+      to.gap_before = std::max(0.0, to.gap);
       to.checks_drift = !island.missed && problem.is_tied();
       if (norm2(to.place_impulse) == 0.0) continue;
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.place_impulse, to.place_moment, c.ra, c.rb, to.normal,

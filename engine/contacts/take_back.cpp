@@ -108,7 +108,7 @@ class TakeBack {
       const Placing& p = island_.placed[k];
       if (now_[k].touching) continue;
       lose_as_then(p, 1.0);
-      if (p.b < 0 && is_thin(p.a))
+      if (p.b < 0 && !p.foreseen && is_thin(p.a))
         carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.core_a), p.impulse) * -1.0;
     }
   }

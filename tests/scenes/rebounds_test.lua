@@ -99,3 +99,33 @@ test("a bead that turns a corner and strikes a box in the same step passes its s
     end
   end
 end)
+
+local tied = {
+  ["two welded boxes"] = { bound = 1e-9, text = [[
+    local a = scene:box { size = 0.4, at = vec(0, 1.3, 0), density = 100, restitution = 1, friction = 0 }
+    scene:weld(a, scene:box { size = 0.4, at = vec(0.4, 1.3, 0), density = 100, restitution = 1, friction = 0 })
+  ]] },
+  ["a bar on a nail"] = { bound = 5e-3, text = [[
+    scene:nail(scene:box { size = vec(1, 0.2, 0.2), at = vec(0.5, 0.5, 0), density = 100, restitution = 1, friction = 0,
+                           points = { end_ = vec(-0.5, 0, 0) } }.end_)
+  ]] },
+}
+
+for name, case in pairs(tied) do
+  test("what is tied leaves the floor with the speed with which it met it: " .. name, function()
+    for _, hz in ipairs { 60, 240, 960 } do
+      local scene = open_text(("scene.step = 1 / %d scene:floor {} "):format(hz) .. case.text)
+      scene:advance(0.001)
+      local before = scene.energy.total
+      scene:advance(5)
+      expect(scene.energy.total / before):near(1, case.bound)
+    end
+    local left = {}
+    for _, hz in ipairs { 240, 960 } do
+      local scene = open_text(("scene.step = 1 / %d scene:floor {} "):format(hz) .. case.text:gsub("restitution = 1", "restitution = 0.9"))
+      scene:advance(2.2)
+      left[#left + 1] = scene.energy.total
+    end
+    expect(left[1]):near(left[2], 2e-3 * left[2])
+  end)
+end
