@@ -27,6 +27,22 @@ namespace {
 
 constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose frames programs interpolate
 
+/// Tells what ended amid an event as soon as it did.
+class BrokenOff {
+ public:
+  explicit BrokenOff(const Scene& scene) : scene_(scene) {}
+  void look() {
+    if (told_ || scene_.broken_off().empty()) return;
+    told_ = true;
+    say(scene_.broken_off());
+    say(text("what the event had still to do is not done; the run goes on at ", scene_.world().time, " s"));
+  }
+
+ private:
+  const Scene& scene_;
+  bool told_ = false;
+};
+
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
 void run_to(Scene& scene, double until, std::size_t memory_limit, After after) {
@@ -35,11 +51,13 @@ void run_to(Scene& scene, double until, std::size_t memory_limit, After after) {
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
   Headway headway(world, until);
+  BrokenOff broken_off(scene);
   MemoryLimit memory(memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     try {
       scene.step();
     } catch (const Interrupted& error) { return say(error.what()); }
+    broken_off.look();
     require(world.failure.empty(), world.failure);
     headway.check(world);
     memory.check();
@@ -167,11 +185,11 @@ int run(const RunOptions& options, const std::string& home) {
   if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
   frames->finish(outputs);
-  outputs.write_summary(*scene, failure);
+  outputs.write_summary(*scene, failure.empty() ? scene->broken_off() : failure);
   outputs.keep();
   if (!failure.empty()) return 1;
   print_closing(*scene, path, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  return 0;
+  return scene->broken_off().empty() ? 0 : 1;
 }
 
 }  // namespace pantin::player

@@ -38,6 +38,11 @@ std::vector<std::string> Scene::warnings() const {
   return warnings;
 }
 
+const std::string& Scene::broken_off() const {
+  static const std::string none;
+  return none;
+}
+
 std::string Scene::why_not_restore() const { return pantin::why_not_restore(world()); }
 
 std::string setting_text(const SceneValue& value) {

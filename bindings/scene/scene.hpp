@@ -65,6 +65,8 @@ class Scene {
   virtual const std::map<std::string, SceneValue>& results() const = 0;
   virtual const std::vector<Drawing>& drawings() const = 0;         ///< what the script drew in the last step
   virtual std::span<const SoundCall> sounds() const { return {}; }  ///< that began in the last step
+  /// The first error, with its line, that ended only what an event did, so that the scene goes on; empty: none.
+  virtual const std::string& broken_off() const;
   /// Path of the scene that it wants to be opened now, once; else empty.
   virtual std::string take_next() { return ""; }
   /// What the world's log has of them.

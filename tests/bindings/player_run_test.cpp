@@ -12,6 +12,7 @@
 namespace sources = pantin::sources;
 using namespace pantin::support;
 using Catch::Contains;
+using Catch::StartsWith;
 
 TEST_CASE("program: what a run had until an error stopped it is kept, and the summary names the error") {
   Folder folder;
@@ -181,4 +182,25 @@ TEST_CASE("run: a state goes on to a later time only") {
   CHECK(back.code == 2);
   CHECK_THAT(back.err, Contains("--until 0.5 s: one.pantin is at 1 s already"));
   CHECK(use(folder, {"run", "one.pantin", "--until", "1"}).code == 0);
+}
+
+TEST_CASE("run: an event that a removed thing ended is told with its line, and the run fails at its end") {
+  Folder folder;
+  const std::string things = "local p = scene:particle { name = 'p' }\nscene:at(0.1, function() p:remove() end)\n";
+  write_file(folder / "at.lua", things + "scene:at(0.2, function()\nprint(p.mass) end)");
+  write_file(folder / "when.lua", things + "scene:when(function()\nreturn p.mass > 2 end, print)");
+  write_file(folder / "play.lua", things + "scene:play(function(wait) wait(0.2)\np.mass = 3 end)");
+  for (const std::string scene : {"at", "when", "play"}) {
+    const Finished result = use(folder, {"run", scene + ".lua", "--until", "0.5", "--summary", "s.json"});
+    INFO(result.err);
+    CHECK(result.code == 1);
+    CHECK_THAT(result.err, Contains("\n" + scene + ".lua:4: particle 'p' was removed at") ||
+                               StartsWith(scene + ".lua:4: particle 'p' was removed at"));
+    CHECK_THAT(result.err, Contains("the run goes on"));
+    const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+    CHECK(summary["time"] == 0.5);
+    CHECK_THAT(summary["failure"].get<std::string>(), StartsWith(scene + ".lua:4: "));
+  }
+  write_file(folder / "target.lua", things + "scene:at(0.2, p, print)");
+  CHECK(use(folder, {"run", "target.lua", "--until", "0.5"}).code == 0);
 }

@@ -4,6 +4,7 @@
 
 #include "lua/scene/choreography.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/script_functions.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/value/error_text.hpp"
 #include "lua/vm/runtime.hpp"
@@ -57,7 +58,7 @@ class Coroutine {
 
   std::optional<Wait> go() {
     std::optional<Wait> found;
-    script_.runtime.run([&](lua_State* state) { found = resume(state); });
+    noting_stale(script_.runtime, [&] { script_.runtime.run([&](lua_State* state) { found = resume(state); }); });
     return found;
   }
 
@@ -78,7 +79,8 @@ class Coroutine {
       const Callback until(thread_, lua_gettop(thread_) - 1);
       wanted.until = [until] {
         bool holds = false;
-        until.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
+        noting_stale(until.runtime(),
+                     [&] { until.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; }); });
         return holds;
       };
     } else {

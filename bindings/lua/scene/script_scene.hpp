@@ -32,6 +32,7 @@ class ScriptScene final : public Scene {
   std::string take_next() override { return std::exchange(script_.next, ""); }
   const std::vector<std::string>& buttons() const override { return script_.buttons; }
   const std::map<std::string, SceneValue>& results() const override { return script_.results; }
+  const std::string& broken_off() const override { return script_.runtime.broken_off; }
   const std::vector<Drawing>& drawings() const override { return script_.drawings; }
 
   std::shared_ptr<const SceneSnapshot> take_snapshot() override;

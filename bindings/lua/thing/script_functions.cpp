@@ -2,7 +2,6 @@
 
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
-#include "scene/errors.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -21,7 +20,7 @@ int push_target(lua_State* state, Script& script, const AnyId& target) {
 template <class Call>
 void dropping_stale(Script& script, Call call) {
   try {
-    call();
+    noting_stale(script.runtime, call);
   } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
 }
 
@@ -71,7 +70,8 @@ void CalledProgress::operator()(double part) const {
 
 double CalledCondition::operator()() const {
   bool holds = false;
-  function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
+  noting_stale(function.runtime(),
+               [&] { function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; }); });
   return holds ? 1.0 : 0.0;
 }
 

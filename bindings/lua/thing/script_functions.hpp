@@ -6,6 +6,8 @@
 #include "constraints/kind.hpp"
 #include "lua/law/recheck.hpp"
 #include "lua/value/callback.hpp"
+#include "lua/vm/runtime.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::lua {
 
@@ -35,6 +37,17 @@ struct CalledRate {
   Callback function;
   double operator()(double time) const;
 };
+/// Runs what an event calls; what a removed thing ended there is noted.
+template <class Call>
+auto noting_stale(Runtime& runtime, Call call) {
+  try {
+    return call();
+  } catch (const StaleHandle& error) {
+    if (runtime.broken_off.empty()) runtime.broken_off = error.what();
+    throw;
+  }
+}
+
 /// Of an event; a removed thing that is used ends this one call only.
 struct CalledAction {
   Callback function;

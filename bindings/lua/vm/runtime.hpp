@@ -87,6 +87,8 @@ class Runtime {
   std::uint64_t traces = 0;                      ///< that were begun so far
   std::string stale_message;                     ///< text of the last error that a StaleHandle became
   std::string usage_message;                     ///< text of the last error that a UsageError became
+  std::string
+      broken_off;  ///< the first error of a removed thing that ended what an event did, or could ask; empty: none
 
  private:
   struct Job {

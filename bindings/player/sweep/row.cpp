@@ -128,6 +128,7 @@ CaseRow run_case(std::uint64_t number, const std::string& path, const SceneOptio
     std::string failure;
     try {
       run_to_end(*scene, options, until);
+      failure = scene->broken_off();
     } catch (const Error& error) { failure = error.what(); }
     tell_scene(row, *scene, failure);
   } catch (const std::exception& error) { row.measured.emplace_back("error", error.what()); }
