@@ -19,9 +19,7 @@ std::vector<double> checked_parameters(std::string_view call, const Law& law, st
     for (const Parameter& p : law.parameters) values.push_back(p.value);
   require(values.size() == law.parameters.size(), call, ": the law has ", law.parameters.size(), " parameters, got ",
           values.size());
-  for (std::size_t i = 0; i < values.size(); i++)
-    if (!given_by_world(law.parameters[i].name))
-      require_finite(call, law.parameters[i].name, values[i], law.parameters[i].unit);
+  check_parameters(call, law.name, law.parameters, values);
   return values;
 }
 
@@ -76,8 +74,8 @@ void write_parameter(const Law& law, std::vector<double>& values, std::size_t in
           ", counted from 0, got the index ", index);
   const std::string& name = law.parameters[index].name;
   require(!given_by_world(name), "parameters: ", name, " is the scene's, and cannot be written here");
-  require_finite("parameters", name, value, law.parameters[index].unit);
   values[index] = value;
+  check_parameter("parameters", law.name, law.parameters, values, index);
 }
 
 }  // namespace

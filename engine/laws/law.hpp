@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "laws/expression.hpp"
+#include "laws/parameter.hpp"
 #include "laws/program.hpp"
 
 namespace pantin {
@@ -37,13 +38,6 @@ enum class LawKind : std::uint8_t {
   pair,     ///< a pair. Outputs: x, y, z of the force on a
   point,    ///< one particle. Outputs: x, y, z of the force
   many,     ///< `count` particles. Outputs: x, y, z of the force on each
-};
-
-struct Parameter {
-  std::string name;
-  double value = 0.0;
-  std::string unit;
-  bool present = false;  ///< the caller gives each connection its value: what is measured when it is made
 };
 
 struct Law {

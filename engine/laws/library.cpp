@@ -14,29 +14,6 @@ using Range = LibraryParameter::Range;
 
 namespace {
 
-bool is_within(double value, Range range) {
-  if (!std::isfinite(value)) return false;
-  switch (range) {
-    case Range::any: return true;
-    case Range::positive: return value > 0.0;
-    case Range::not_negative: return value >= 0.0;
-    case Range::sign: return value >= -1.0 && value <= 1.0;
-    case Range::whole: return value >= 1.0 && value == std::floor(value);
-  }
-  return false;
-}
-
-const char* words_for(Range range) {
-  switch (range) {
-    case Range::any: return "finite";
-    case Range::positive: return "> 0";
-    case Range::not_negative: return ">= 0";
-    case Range::sign: return "from -1 to 1";
-    case Range::whole: return "a whole number >= 1";
-  }
-  return "";
-}
-
 std::string with_unit(const LibraryParameter& parameter) {
   const std::string unit = parameter.unit;
   return unit == "1" ? parameter.name : text(parameter.name, " [", unit, "]");
@@ -65,7 +42,8 @@ LawMaker::LawMaker(const LibraryLaw& law, const LawArguments& given) : arguments
   require(is_of_pairs || !arguments.cutoff, law.name, ": only laws of pairs have a cutoff");
   require(is_of_pairs || !arguments.one_sided, law.name, ": only laws of pairs can be one-sided");
   if (arguments.cutoff) {
-    require(is_within(*arguments.cutoff, Range::positive), law.name, ": cutoff must be > 0 m, got ", *arguments.cutoff);
+    require(std::isfinite(*arguments.cutoff) && *arguments.cutoff > 0.0, law.name, ": cutoff must be > 0 m, got ",
+            *arguments.cutoff);
     def.cutoff = *arguments.cutoff;
   }
   def.shift = arguments.shift;
@@ -92,12 +70,11 @@ void LawMaker::check_known(const LibraryLaw& law) const {
 }
 
 void LawMaker::add_number(const LibraryParameter& parameter) {
-  Parameter made{parameter.name, parameter.value, parameter.unit, false};
+  Parameter made{parameter.name, parameter.value, parameter.unit, false, parameter.range};
   const auto found = arguments.numbers.find(parameter.name);
   if (found != arguments.numbers.end()) {
     made.value = found->second;
-    require(is_within(made.value, parameter.range), def.name, ": ", parameter.name, " must be ",
-            words_for(parameter.range), unit_after(parameter), ", got ", made.value);
+    check_parameter("", def.name, {&made, 1}, {&made.value, 1}, 0);
   } else {
     require(parameter.given != Given::required, def.name, ": ", with_unit(parameter), " is missing");
     made.present = parameter.given == Given::present;
@@ -114,7 +91,7 @@ void LawMaker::add_vector(const LibraryParameter& parameter) {
   require(fits, def.name, ": ", parameter.name, " must be a finite vec", parameter.range == Range::any ? "" : ", not 0",
           unit_after(parameter), "; got (", value[0], ", ", value[1], ", ", value[2], ")");
   for (int k = 0; k < 3; k++)
-    def.parameters.push_back({parameter.name + std::string(axes[k]), value[k], parameter.unit});
+    def.parameters.push_back({parameter.name + std::string(axes[k]), value[k], parameter.unit, false, parameter.range});
 }
 
 Parameter* LawMaker::find(const std::string& name) {

@@ -20,7 +20,7 @@ struct LibraryParameter {
     present,   ///< by the scene, else for each connection what it is when that is made: distance or angle
     world,     ///< by whoever runs the law, before each step, never by the scene: "step" and "boltzmann"
   };
-  enum class Range { any, positive, not_negative, sign, whole };  ///< sign: -1 to 1, whole: 1, 2, …
+  using Range = ParameterRange;
 
   const char* name;
   const char* unit;
@@ -28,7 +28,8 @@ struct LibraryParameter {
   Given given = Given::required;
   double value = 0.0;
   Range range = Range::any;
-  bool is_vector = false;  ///< "v" is given as a vector; the law's own parameters are "v_x", "v_y", "v_z"
+  bool is_vector =
+      false;  ///< of range any or direction; "v" is given as a vector; the law's own parameters are "v_x", "v_y", "v_z"
 };
 
 /// What a scene says of a law.
