@@ -63,8 +63,8 @@ Breaking breaks_at(const World& world, ConnectionId id) {
 
 std::vector<Property> properties_of_connection() {
   return {
-      property<ConnectionId>("particles", "(Particle|vec)[]", "m", "what it ties: particles, or positions",
-                             [](const World& w, ConnectionId c) { return ends(w, c); }),
+      fixed(property<ConnectionId>("particles", "(Particle|vec)[]", "m", "what it ties: particles, or positions",
+                                   [](const World& w, ConnectionId c) { return ends(w, c); })),
       property<ConnectionId>("force", "number", "N",
                              "tension in the last step, positive where it pulls; 0 of a law of three or four",
                              [](const World& w, ConnectionId c) { return tension(w, c); }),

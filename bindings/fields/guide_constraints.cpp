@@ -25,8 +25,8 @@ Table places(const World& world, ConstraintId id) {
 const Type& string_type() {
   static const Type type = type_of_constraint(
       "String", "string", "Is at most so long along its points; slides through the inner ones.",
-      {property<ConstraintId>("points", "(Point|vec)[]", "m", "what it goes through: points, or positions",
-                              [](const World& w, ConstraintId c) { return passages(w, c); }),
+      {fixed(property<ConstraintId>("points", "(Point|vec)[]", "m", "what it goes through: points, or positions",
+                                    [](const World& w, ConstraintId c) { return passages(w, c); })),
        kept_property("length", "m", "the most that it is long; written as a number or a function of time [s]"),
        property<ConstraintId>("taken", "number", "m", "how long its way is now: less than its length where it is slack",
                               [](const World& w, ConstraintId c) { return present_value(w, constraint_row(w, c)); }),
@@ -39,8 +39,8 @@ const Type& on_path_type() {
   static const Type type = type_of_constraint(
       "OnPath", "on_path", "Keeps a point on a path.",
       {point_property(),
-       property<ConstraintId>("path", "vec[]", "m", "the positions that the path goes through",
-                              [](const World& w, ConstraintId c) { return places(w, c); }),
+       fixed(property<ConstraintId>("path", "vec[]", "m", "the positions that the path goes through",
+                                    [](const World& w, ConstraintId c) { return places(w, c); })),
        property<ConstraintId>("along", "number", "1",
                               "where on the path the point is: 0 at the first position, 1 at the "
                               "second, and so on",

@@ -162,6 +162,11 @@ inline Property as_rate(Property property) {
   property.form = Form::rate_of_time;
   return property;
 }
+/// Of a table that cannot be written, and is what the thing was made with.
+inline Property fixed(Property property) {
+  property.fixed = true;
+  return property;
+}
 /// Messages about it begin with this word.
 inline Property called(const char* word, Property property) {
   property.word = word;

@@ -44,6 +44,7 @@ struct Property {
   bool or_nothing = false;              ///< may be written as nothing
   bool or_infinity = false;             ///< a number that need not be finite
   bool of_dead = false;                 ///< may be read of a thing that is gone
+  bool fixed = false;                   ///< a table of what it was made with, which a script may think it can change
   const char* word = nullptr;           ///< begins messages instead of the type's
   std::vector<std::string> parts = {};  ///< of a Breaking: which of its numbers may be written
 };

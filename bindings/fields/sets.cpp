@@ -90,8 +90,9 @@ std::vector<Property> touch_of_family() {
 
 std::vector<Property> properties_of_family() {
   return {
-      property<FamilyId>("attributes", "table<string, number>", "each its own", "values of a particle that gives none",
-                         [](const World& w, FamilyId f) { return attributes(w, f); }),
+      fixed(property<FamilyId>("attributes", "table<string, number>", "each its own",
+                               "values of a particle that gives none",
+                               [](const World& w, FamilyId f) { return attributes(w, f); })),
       property<FamilyId>("particles", "Particle[]", "", "its living particles, in the order of making",
                          [](const World& w, FamilyId f) { return particles(w, f); }),
   };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lua/library/sandbox.hpp"
+#include "lua/value/copies.hpp"
 #include "lua/value/ref.hpp"
 #include "lua/vm/guard.hpp"
 #include "lua/vm/watchdog.hpp"
@@ -71,6 +72,7 @@ int next_pair(lua_State* state) {
 
 int sorted_pairs(lua_State* state) {
   luaL_checkany(state, 1);
+  unlock(state, 1);
   if (luaL_getmetafield(state, 1, "__pairs") != LUA_TNIL) {
     lua_pushvalue(state, 1);
     lua_call(state, 1, 3);
@@ -111,6 +113,7 @@ int sorted_pairs(lua_State* state) {
 /// The smallest key above the given one: slow for a whole table, for which `pairs` is meant.
 int sorted_next(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
+  unlock(state, 1);
   lua_settop(state, 2);
   const bool first = lua_isnil(state, 2);
   const Key last = first ? Key{} : key_at(state, 2);
@@ -138,7 +141,9 @@ int sorted_next(lua_State* state) {
 }  // namespace
 
 void open_pairs(lua_State* state) {
-  lua_register(state, "pairs", guard<sorted_pairs>);
+  push_lock(state);  // a state in a file names what the globals lead to
+  lua_pushcclosure(state, guard<sorted_pairs>, 1);
+  lua_setglobal(state, "pairs");
   lua_register(state, "next", guard<sorted_next>);
 }
 

@@ -5,6 +5,7 @@
 #include "lua/scene/scene_type.hpp"
 #include "lua/thing/handles.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/value/copies.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -90,7 +91,18 @@ class Copier {
     return id.has_value();
   }
 
+  void push_locked(int index) {
+    const std::string message = message_of_locked(from_, index);
+    lua_pushvalue(from_, index);
+    unlock(from_, lua_gettop(from_));
+    lua_newtable(to_);
+    copy_contents();
+    lua_pop(from_, 1);
+    lock(to_, message);
+  }
+
   bool push_table(int index) {
+    if (is_locked(from_, index)) return push_locked(index), true;
     if (lua_getmetatable(from_, index)) return lua_pop(from_, 1), false;
     if (lua_rawgetp(to_, copies_, lua_topointer(from_, index)) != LUA_TNIL) return true;
     lua_pop(to_, 1);

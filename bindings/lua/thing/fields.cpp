@@ -11,6 +11,7 @@
 #include "lua/thing/property_values.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
+#include "lua/value/copies.hpp"
 #include "lua/value/tostring.hpp"
 #include "lua/vm/guard.hpp"
 #include "lua/vm/runtime.hpp"
@@ -50,6 +51,13 @@ Self self_at(lua_State* state, int index) {
   return {state, ref, *ref.script, ref.script->world};
 }
 
+/// Pushes what a property is now. Of a table that a script might write into it is a copy.
+void push_property(const Self& self, const char* word, const fields::Property& property) {
+  push_value(self.state, self.script, property.read(self.world, self.ref.thing));
+  if ((property.write || property.fixed) && lua_istable(self.state, -1))
+    lock_copy(self.state, word, property.name, property.write != nullptr);
+}
+
 int index(lua_State* state) {
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
@@ -69,7 +77,7 @@ int index(lua_State* state) {
     if (field.read)
       field.read(self);
     else
-      push_value(state, self.script, field.property->read(self.world, self.ref.thing));
+      push_property(self, type.word, *field.property);
     return 1;
   }
   if (type.more && lua_type(state, 2) == LUA_TSTRING) {
@@ -90,6 +98,7 @@ int new_index(lua_State* state) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
     require(writable(field), type.word, ": ", field.name, " can be read, not written");
     require_alive(self.ref);
+    unlock(state, 3);
     if (self.ref.kind == Kind::scene && self.script.fixed.contains(field.name)) return 0;
     if (field.write)
       field.write(self, 3);
@@ -112,6 +121,11 @@ int thing_text(lua_State* state) {
 }
 
 }  // namespace
+
+void lock_copy(lua_State* state, const char* word, const char* name, bool can_be_written) {
+  lock(state, can_be_written ? text(word, ": ", name, " is a copy: give the whole, x.", name, " = ")
+                             : text(word, ": ", name, " can be read, not written"));
+}
 
 bool writable(const Field& field) { return field.write || (field.property && field.property->write); }
 
@@ -197,6 +211,7 @@ int call_counted(lua_State* state) {
   for (int i = lua_gettop(state); i > most + 1; i--)
     require(lua_isnil(state, i), method.name, ": takes ", most == 0 ? "no" : "at most " + std::to_string(most),
             most == 1 ? " argument" : " arguments", ", got ", i - 1);
+  for (int i = lua_gettop(state); i > 1; i--) unlock(state, i);
   return method.function(state);
 }
 

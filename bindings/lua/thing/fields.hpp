@@ -30,6 +30,8 @@ struct Field {
   const fields::Property* property = nullptr;
 };
 bool writable(const Field& field);
+/// The table at the top, a copy of what a thing has in a field, is told to be one when a script writes into it.
+void lock_copy(lua_State* state, const char* word, const char* name, bool can_be_written);
 
 struct Method {
   const char* name;

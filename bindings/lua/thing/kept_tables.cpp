@@ -6,6 +6,7 @@
 
 #include "base/interruptible.hpp"
 #include "lua/thing/handles.hpp"
+#include "lua/value/copies.hpp"
 #include "lua/vm/runtime.hpp"
 
 namespace pantin::lua {
@@ -18,6 +19,7 @@ bool is_plain(lua_State* state, int index) {
     case LUA_TNUMBER:
     case LUA_TSTRING:
     case LUA_TBOOLEAN: return true;
+    case LUA_TTABLE: return is_locked(state, index);
     case LUA_TUSERDATA: break;
     default: return false;
   }

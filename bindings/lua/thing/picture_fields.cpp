@@ -1,5 +1,6 @@
 #include "lua/thing/picture_fields.hpp"
 
+#include "lua/thing/fields.hpp"
 #include "lua/thing/picture_options.hpp"
 #include "lua/thing/script.hpp"
 
@@ -10,11 +11,17 @@ Body& pictured_body(const Self& s) { return s.world.bodies[s.ref.id<BodyId>()]; 
 Shape& pictured_shape(const Self& s) { return s.world.shapes[std::get<ShapeId>(s.ref.thing)]; }
 Family& pictured_family(const Self& s) { return s.world.families[s.ref.id<FamilyId>()]; }
 
+void push_picture(const Self& s, const char* word, const char* name, const Cover* cover,
+                  const Geometry* shape = nullptr) {
+  push_cover(s.state, cover, shape);
+  if (lua_istable(s.state, -1)) lock_copy(s.state, word, name, true);
+}
+
 void read_picture_of_body(const Self& s) {
   const Body& body = pictured_body(s);
-  if (body.shapes.empty()) return push_cover(s.state, nullptr);
+  if (body.shapes.empty()) return lua_pushnil(s.state);
   const Shape& shape = s.world.shapes[body.shapes[0]];
-  push_cover(s.state, shape.cover.get(), &shape.geometry);
+  push_picture(s, "body", "picture", shape.cover.get(), &shape.geometry);
 }
 
 void write_picture_of_body(const Self& s, int index) {
@@ -44,7 +51,9 @@ Field picture_of_collider() {
           "Picture?",
           "",
           "that is drawn on it, times its color; nil: the color alone",
-          [](const Self& s) { push_cover(s.state, pictured_shape(s).cover.get(), &pictured_shape(s).geometry); },
+          [](const Self& s) {
+            push_picture(s, "collider", "picture", pictured_shape(s).cover.get(), &pictured_shape(s).geometry);
+          },
           write_picture_of_collider};
 }
 
@@ -53,7 +62,7 @@ Field sprite_of_body() {
           "Sprite?",
           "",
           "drawn instead of its shapes and points; nil: those",
-          [](const Self& s) { push_cover(s.state, pictured_body(s).sprite.get()); },
+          [](const Self& s) { push_picture(s, "body", "sprite", pictured_body(s).sprite.get()); },
           [](const Self& s, int index) {
             pictured_body(s).sprite = check_sprite(s.script, s.state, index, "body: sprite");
           }};
@@ -64,7 +73,7 @@ Field sprite_of_family() {
           "Sprite?",
           "",
           "drawn instead of its free particles; nil: as their look says",
-          [](const Self& s) { push_cover(s.state, pictured_family(s).sprite.get()); },
+          [](const Self& s) { push_picture(s, "family", "sprite", pictured_family(s).sprite.get()); },
           [](const Self& s, int index) {
             pictured_family(s).sprite = check_sprite(s.script, s.state, index, "family: sprite");
           }};

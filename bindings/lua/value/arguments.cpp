@@ -6,6 +6,7 @@
 
 #include "base/interruptible.hpp"
 #include "fields/check.hpp"
+#include "lua/value/copies.hpp"
 #include "lua/value/values.hpp"
 
 namespace pantin::lua {
@@ -93,6 +94,7 @@ Callback check_function(lua_State* state, int index, std::string_view what, std:
 
 KeysOfTable keys_of(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
+  unlock(state, table);
   KeysOfTable keys;
   keys.count = static_cast<lua_Integer>(lua_rawlen(state, table));
   Interruptible loop;
@@ -117,6 +119,7 @@ Options::Options(lua_State* state, int index, std::string what, std::span<const 
   require(lua_istable(state, index), what_, ": the options must be a table { name = value }, got ",
           kind_of_value(state, index));
   index_ = lua_absindex(state, index);
+  unlock(state, index_);
   std::vector<std::string> wrong;  // the order of lua_next differs from run to run
   lua_pushnil(state);
   while (lua_next(state, index_)) {
@@ -169,6 +172,7 @@ int Options::push(const char* key) const {
   } else {
     lua_pushstring(state_, key);
     lua_rawget(state_, index_);
+    unlock(state_, lua_gettop(state_));
   }
   return lua_gettop(state_);
 }
