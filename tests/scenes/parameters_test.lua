@@ -37,3 +37,18 @@ test("a law's parameter within its range is written, and one that was refused is
     scene:interact(dust, dust, force.pair { cutoff = 1, parameters = { k = 1 }, potential = function(r, p, q, own) return own.k * r end }).parameters.k = -4
   ]])
 end)
+
+test("the parameters of a law are listed, and handed over", function()
+  open_text(things .. [[
+    local spring = scene:connect(a, b, force.spring { stiffness = 2, length = 1 })
+    local told = ""
+    for name, value in pairs(spring.parameters) do told = told .. name .. "=" .. value .. " " end
+    assert(told == "length=1.0 stiffness=2.0 ", told)
+    assert(next(spring.parameters) == "length")
+    spring.parameters.stiffness = 5
+    local other = scene:connect(a, vec(0, 2, 0), force.spring { stiffness = 1, length = 3 }, spring.parameters)
+    assert(other.parameters.stiffness == 5 and other.parameters.length == 1)
+    local none = scene:field(scene, force.point { force = function(p) return vec(0, 1, 0) end })
+    assert(next(none.parameters) == nil)
+  ]])
+end)

@@ -6,6 +6,7 @@
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
+#include "lua/value/copies.hpp"
 #include "lua/vm/guard.hpp"
 
 namespace pantin::lua {
@@ -55,6 +56,13 @@ int write_parameter(lua_State* state) {
   return 0;
 }
 
+int list_parameters(lua_State* state) {
+  const Ref& ref = *to_ref(state, lua_upvalueindex(1));
+  require_alive(ref);
+  push_value(state, *ref.script, fields::read(ref.script->world, ref.thing, "parameters"));
+  return 1;
+}
+
 /// A table that reads and writes the parameters of the law in use.
 void read_parameters(const Self& self) {
   lua_State* state = self.state;
@@ -66,6 +74,9 @@ void read_parameters(const Self& self) {
   push_ref(state, self.ref);
   lua_pushcclosure(state, guard<write_parameter>, 1);
   lua_setfield(state, -2, "__newindex");
+  push_ref(state, self.ref);
+  lua_pushcclosure(state, guard<list_parameters>, 1);
+  lua_setfield(state, -2, contents_field);
   lua_setmetatable(state, -2);
 }
 
