@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "lua/law/dual.hpp"
 #include "lua/law/symbol.hpp"
+#include "lua/value/arguments.hpp"
 #include "lua/value/tostring.hpp"
 #include "lua/vm/guard.hpp"
 
@@ -217,6 +218,7 @@ typename A::Number product(const A& algebra, const Vec<A>& a, const Vec<A>& b) {
 
 template <class A>
 int dot(lua_State* state) {
+  check_count(state, 1, "vec:dot", 2);
   const A algebra(state);
   const auto a = vec_operand(algebra, state, 1, ":dot"), b = vec_operand(algebra, state, 2, ":dot");
   algebra.push(state, product(algebra, a, b));
@@ -225,6 +227,7 @@ int dot(lua_State* state) {
 
 template <class A>
 int cross(lua_State* state) {
+  check_count(state, 1, "vec:cross", 2);
   const A algebra(state);
   const auto a = vec_operand(algebra, state, 1, ":cross"), b = vec_operand(algebra, state, 2, ":cross");
   const auto part = [&](std::size_t i, std::size_t j) {
@@ -241,6 +244,7 @@ typename A::Number length_of(const A& algebra, const Vec<A>& v) {
 
 template <class A>
 int length(lua_State* state) {
+  check_count(state, 0, "vec:length", 2);
   const A algebra(state);
   algebra.push(state, length_of(algebra, vec_operand(algebra, state, 1, ":length")));
   return 1;
@@ -248,6 +252,7 @@ int length(lua_State* state) {
 
 template <class A>
 int normalized(lua_State* state) {
+  check_count(state, 0, "vec:normalized", 2);
   const A algebra(state);
   const auto v = vec_operand(algebra, state, 1, ":normalized");
   push_scaled(algebra, state, v, algebra.divide(algebra.constant(1.0), length_of(algebra, v)));

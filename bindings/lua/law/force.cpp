@@ -121,6 +121,7 @@ int push_own_law(lua_State* state, LawSpec spec) {
 }
 
 int force_pair(lua_State* state) {
+  check_count(state, 1, "force.pair");
   const Options o(state, 1, "force.pair",
                   {"potential", "tension", "force", "cutoff", "shift", "one_sided", "exclude", "parameters", "strict",
                    "exact", "implicit", "name"});
@@ -136,6 +137,7 @@ int force_pair(lua_State* state) {
 }
 
 int force_point(lua_State* state) {
+  check_count(state, 1, "force.point");
   const Options o(state, 1, "force.point", {"potential", "force", "parameters", "strict", "exact", "name"});
   LawSpec spec;
   spec.word = o.what();
@@ -147,6 +149,7 @@ int force_point(lua_State* state) {
 }
 
 int force_many(lua_State* state) {
+  check_count(state, 1, "force.many");
   const Options o(state, 1, "force.many", {"count", "potential", "parameters", "strict", "exact", "name"});
   LawSpec spec;
   spec.word = o.what();

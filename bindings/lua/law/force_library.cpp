@@ -150,6 +150,7 @@ int make_law(lua_State* state) {
   spec.word = text("force.", law.name);
   spec.kind = law.kind;
   spec.count = law.count;
+  check_count(state, 1, spec.word);
   const Options o(state, 1, spec.word, option_names(law));
   const LawArguments arguments = read_arguments(state, o, law);
   if (is_of_pairs(law)) spec.solve = read_pair_options(o).solve;

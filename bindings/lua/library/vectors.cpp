@@ -78,15 +78,21 @@ int vec_text(lua_State* state) {
 }
 
 int vec_dot(lua_State* state) {
+  check_count(state, 1, "vec:dot", 2);
   if (has_law_value(state, 2)) return law_vec(state, VecOperation::dot);
   return lua_pushnumber(state, dot(operand(state, 1, ":dot"), operand(state, 2, ":dot"))), 1;
 }
 int vec_cross(lua_State* state) {
+  check_count(state, 1, "vec:cross", 2);
   if (has_law_value(state, 2)) return law_vec(state, VecOperation::cross);
   return push(state, cross(operand(state, 1, ":cross"), operand(state, 2, ":cross"))), 1;
 }
-int vec_length(lua_State* state) { return lua_pushnumber(state, norm(operand(state, 1, ":length"))), 1; }
+int vec_length(lua_State* state) {
+  check_count(state, 0, "vec:length", 2);
+  return lua_pushnumber(state, norm(operand(state, 1, ":length"))), 1;
+}
 int vec_normalized(lua_State* state) {
+  check_count(state, 0, "vec:normalized", 2);
   const Vec3 v = operand(state, 1, ":normalized");
   require(norm(v) > 0.0, "vec(0, 0, 0) has no direction to be normalized to");
   push(state, v / norm(v));
@@ -111,6 +117,7 @@ int vec_change(lua_State* state) {
 }
 
 int make_quat(lua_State* state) {
+  check_count(state, 2, "quat");
   const auto axis = to_vec(state, 1);
   require(axis && finite(*axis) && norm(*axis) > 0.0,
           "quat: argument 1 must be an axis, a finite vec that is not 0, got ", kind_of_value(state, 1));
@@ -145,11 +152,15 @@ int quat_text(lua_State* state) {
 }
 
 int quat_rotate(lua_State* state) {
+  check_count(state, 1, "quat:rotate", 2);
   push(state, rotate(quat_operand(state, 1), check_vec(state, 2, "quat", "argument 1 of rotate", "")));
   return 1;
 }
 
-int quat_inverse(lua_State* state) { return push(state, conjugate(quat_operand(state, 1))), 1; }
+int quat_inverse(lua_State* state) {
+  check_count(state, 0, "quat:inverse", 2);
+  return push(state, conjugate(quat_operand(state, 1))), 1;
+}
 
 int quat_index(lua_State* state) {
   const Quat q = quat_operand(state, 1);

@@ -25,6 +25,12 @@ int take_action(lua_State* state, int index, const char* call, Script& script, E
   return index + 1;
 }
 
+/// Throws Error where something is given from `index` on, behind all that the call takes.
+void require_end(lua_State* state, int index, const char* call, const char* last) {
+  require(lua_isnoneornil(state, index), call, ": ", last, " comes last, got ", kind_of_value(state, index),
+          " after it");
+}
+
 int put(lua_State* state, const Self& self, Event event) {
   push_event(state, self.script, add_event(self.world, std::move(event)));
   return 1;
@@ -54,7 +60,7 @@ int scene_at(lua_State* state) {
   Event event;
   event.time = check_time(state, 2, "at", "time");
   require_coming(self.world, "at", event.time);
-  take_action(state, 3, "at", self.script, event);
+  require_end(state, take_action(state, 3, "at", self.script, event), "at", "its action");
   return put(state, self, std::move(event));
 }
 
@@ -62,7 +68,7 @@ int scene_after(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "after");
   Event event;
   event.time = self.world.time + check_time(state, 2, "after", "delay");
-  take_action(state, 3, "after", self.script, event);
+  require_end(state, take_action(state, 3, "after", self.script, event), "after", "its action");
   return put(state, self, std::move(event));
 }
 
@@ -73,7 +79,7 @@ int scene_every(lua_State* state) {
   event.time = self.world.time;
   event.period = check_number(state, 2, "every", "argument 1, the period,", "s");
   require(event.period > 0, "every: argument 1, the period, must be > 0 s, got ", event.period);
-  take_action(state, 3, "every", self.script, event);
+  require_end(state, take_action(state, 3, "every", self.script, event), "every", "its action");
   return put(state, self, std::move(event));
 }
 
@@ -86,7 +92,7 @@ int scene_over(lua_State* state) {
   require_coming(self.world, "over", event.time);
   require(event.until > event.time, "over: argument 2, the end, must be after the beginning at ", event.time,
           " s, got ", event.until, " s");
-  take_action(state, 4, "over", self.script, event);
+  require_end(state, take_action(state, 4, "over", self.script, event), "over", "its action");
   return put(state, self, std::move(event));
 }
 
@@ -95,6 +101,7 @@ int scene_when(lua_State* state) {
   Event event;
   event.kind = EventKind::when;
   const int options = take_action(state, 3, "when", self.script, event);
+  require_end(state, options + 1, "when", "its table of options");
   event.condition = check_condition(state, 2, options, self.script);
   return put(state, self, std::move(event));
 }
@@ -105,6 +112,7 @@ int scene_play(lua_State* state) {
   event.kind = EventKind::play;
   event.time = self.world.time;
   const int after = take_action(state, 2, "play", self.script, event);
+  require_end(state, after, "play", "its script");
   event.goes = play_of(state, after - 1, self.script, event.target);
   return put(state, self, std::move(event));
 }

@@ -270,8 +270,11 @@ int scene_on(lua_State* state) {
           suggestion(name, names), " Known are ", joined(names));
   if (name == "touched" || name == "parted") return subscribe_touch(state, self, name);
   const bool of_keys = name == "key" || name == "key_up";
-  if (!of_keys || lua_type(state, 3) != LUA_TSTRING)
-    return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
+  const bool one_key = of_keys && lua_type(state, 3) == LUA_TSTRING;
+  require(lua_isnoneornil(state, one_key ? 5 : 4), "on: the function comes last, scene:on(\"", name,
+          one_key ? "\", key, function" : "\", function", "() … end), got ", kind_of_value(state, one_key ? 5 : 4),
+          " after it");
+  if (!one_key) return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
   std::string key = check_text(state, 3, "on", "argument 2, the key,");
   if (name == "key_up") self.script.controls.insert(key = check_control(key));
   return subscribe(state, self.script, {0, name, check_function(state, 4, "on", "argument 3"), {}, {}, key});

@@ -204,29 +204,41 @@ std::optional<int> most_arguments(std::string_view parameters) {
   return parameters.find("...") == std::string_view::npos ? std::optional(count) : std::nullopt;
 }
 
-/// Calls the method that is its first upvalue, with no more arguments beside itself than its second.
-int call_counted(lua_State* state) {
-  const auto& method = *static_cast<const Method*>(lua_touserdata(state, lua_upvalueindex(1)));
-  const auto most = static_cast<int>(lua_tointeger(state, lua_upvalueindex(2)));
-  for (int i = lua_gettop(state); i > most + 1; i--)
-    require(lua_isnil(state, i), method.name, ": takes ", most == 0 ? "no" : "at most " + std::to_string(most),
-            most == 1 ? " argument" : " arguments", ", got ", i - 1);
-  for (int i = lua_gettop(state); i > 1; i--) unlock(state, i);
+/// Calls the method that is upvalue `at`, whose arguments begin at `first`, with no more of them than the next upvalue.
+int call_counted(lua_State* state, int at, int first) {
+  const auto& method = *static_cast<const Method*>(lua_touserdata(state, lua_upvalueindex(at)));
+  check_count(state, static_cast<int>(lua_tointeger(state, lua_upvalueindex(at + 1))), method.name, first);
+  for (int i = lua_gettop(state); i >= first; i--) unlock(state, i);
   return method.function(state);
+}
+int call_method(lua_State* state) { return call_counted(state, 1, 2); }
+int call_maker(lua_State* state) { return call_counted(state, 2, 1); }
+
+/// The upvalues of those.
+bool push_counted(lua_State* state, const Method& method) {
+  const auto most = most_arguments(method.parameters);
+  if (!most) return false;
+  lua_pushlightuserdata(state, const_cast<Method*>(&method));
+  lua_pushinteger(state, *most);
+  return true;
 }
 
 void push_method(lua_State* state, const Method& method) {
-  const auto most = most_arguments(method.parameters);
-  if (!most) {
+  if (push_counted(state, method))
+    lua_pushcclosure(state, guard<call_method>, 2);
+  else
     lua_pushcfunction(state, method.function);
-    return;
-  }
-  lua_pushlightuserdata(state, const_cast<Method*>(&method));
-  lua_pushinteger(state, *most);
-  lua_pushcclosure(state, guard<call_counted>, 2);
 }
 
 }  // namespace
+
+void push_maker(lua_State* state, const Method& maker, Script& script) {
+  lua_pushlightuserdata(state, &script);
+  if (push_counted(state, maker))
+    lua_pushcclosure(state, guard<call_maker>, 3);
+  else
+    lua_pushcclosure(state, maker.function, 1);
+}
 
 void push_metatable(lua_State* state, Kind kind) { push_metatable(state, type_of(kind)); }
 

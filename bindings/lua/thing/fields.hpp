@@ -56,6 +56,9 @@ struct Type {
   const Type* base = nullptr;  ///< says once what it has in common with others; its fields and methods are here, too
 };
 
+/// Pushes a function that is no method, called with no more arguments than its annotation has; its first upvalue is the script.
+void push_maker(lua_State* state, const Method& maker, Script& script);
+
 const Type& type_of(Kind kind);
 const Type& type_of_opened_scene();
 /// All types that a script can meet, tests' included.

@@ -154,6 +154,8 @@ int scene_connect(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "connect");
   int at = 0;
   std::vector<End> ends = ends_of(state, at);
+  require(lua_isnoneornil(state, at + 2), "connect: its table of options comes last, got ",
+          kind_of_value(state, at + 2), " after it");
   push_thing(state, self.script, connect(self, std::move(ends), at));
   return 1;
 }

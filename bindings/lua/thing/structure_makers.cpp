@@ -256,8 +256,7 @@ const std::vector<Method>& structure_makers() {
 void open_structures(lua_State* state, Script& script) {
   lua_newtable(state);
   for (const Method& maker : structure_makers()) {
-    lua_pushlightuserdata(state, &script);
-    lua_pushcclosure(state, maker.function, 1);
+    push_maker(state, maker, script);
     lua_setfield(state, -2, maker.name);
   }
   lua_newtable(state);

@@ -92,6 +92,12 @@ Callback check_function(lua_State* state, int index, std::string_view what, std:
   return Callback(state, index);
 }
 
+void check_count(lua_State* state, int most, std::string_view what, int first) {
+  for (int i = lua_gettop(state); i >= most + first; i--)
+    require(lua_isnil(state, i), what, ": takes ", most == 0 ? "no" : "at most " + std::to_string(most),
+            most == 1 ? " argument" : " arguments", ", got ", i - first + 1);
+}
+
 KeysOfTable keys_of(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
   unlock(state, table);

@@ -28,6 +28,9 @@ bool check_boolean(lua_State* state, int index, std::string_view what, std::stri
 std::string check_text(lua_State* state, int index, std::string_view what, std::string_view name);
 Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name);
 
+/// Throws Error where a call has more than `most` arguments, the first of which is at `first`. Values of nil at the end are none.
+void check_count(lua_State* state, int most, std::string_view what, int first = 1);
+
 /// Keys of a table, in an order that is the same in every run.
 struct KeysOfTable {
   lua_Integer count = 0;           ///< of the list in it
