@@ -41,10 +41,12 @@ const Type& on_path_type() {
       {point_property(),
        fixed(property<ConstraintId>("path", "vec[]", "m", "the positions that the path goes through",
                                     [](const World& w, ConstraintId c) { return places(w, c); })),
-       property<ConstraintId>("along", "number", "1",
-                              "where on the path the point is: 0 at the first position, 1 at the "
-                              "second, and so on",
-                              [](const World& w, ConstraintId c) { return constraint_row(w, c).as<PathData>().along; }),
+       property<ConstraintId>(
+           "along", "number", "1",
+           "where on the path the point is: 0 at the first position, 1 at the "
+           "second, and so on; of a closed path it goes on counting beyond the last, and back below 0, round "
+           "after round",
+           [](const World& w, ConstraintId c) { return constraint_row(w, c).as<PathData>().along; }),
        force_property()});
   return type;
 }

@@ -504,7 +504,7 @@ local String = {}
 ---@class OnPath: AnyConstraint
 ---@field point Point the point that it holds (read only)
 ---@field path vec[] [m] the positions that the path goes through (read only)
----@field along number [1] where on the path the point is: 0 at the first position, 1 at the second, and so on (read only)
+---@field along number [1] where on the path the point is: 0 at the first position, 1 at the second, and so on; of a closed path it goes on counting beyond the last, and back below 0, round after round (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 local OnPath = {}
 
