@@ -6,6 +6,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
+#include "base/stable.hpp"
 #include "constraints/coupling.hpp"
 #include "constraints/kind.hpp"
 #include "constraints/row_rule.hpp"
@@ -203,7 +204,7 @@ void set_enabled(World& world, ParticleId id, bool enabled) {
   mark_edited(world, id);
 }
 
-void break_constraints(World& world) {
+BrokenThings break_constraints(World& world) {
   Overloads found;
   for (const auto& articulate : world.articulates) {
     if (!articulate->breakable) continue;
@@ -215,8 +216,27 @@ void break_constraints(World& world) {
     if (!found.constraints.empty() || !found.hinges.empty()) take_back(world, *articulate, found);
     note_loads(*articulate);
   }
+  BrokenThings broken;
+  for (const auto& overload : found.constraints)
+    broken.emplace_back(overload.id, world.constraints[overload.id].serial);
+  for (const auto& overload : found.hinges) broken.emplace_back(overload.id, world.particles[overload.id].serial);
   for (const auto& overload : found.constraints) break_constraint(world, overload);
   for (const auto& overload : found.hinges) break_hinge(world, overload);
+  return broken;
+}
+
+void tell_in_order(World& world, std::size_t first, const BrokenThings& broken) {
+  std::vector<std::size_t> places;
+  std::vector<std::pair<std::uint64_t, Notice>> told;
+  for (std::size_t i = first; i < world.notices.size(); i++) {
+    const Notice& notice = world.notices[i];
+    const auto of = std::find_if(broken.begin(), broken.end(), [&](const auto& b) { return b.first == notice.thing; });
+    if (notice.kind != Notice::Kind::broke || of == broken.end()) continue;
+    places.push_back(i);
+    told.emplace_back(of->second, notice);
+  }
+  sort_stably(told.begin(), told.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < places.size(); i++) world.notices[places[i]] = told[i].second;
 }
 
 }  // namespace pantin

@@ -78,7 +78,11 @@ void set_breaks_at(World& world, ParticleId hinge, const Breaking& breaks_at);
 /// Whether the points of a hinge stay together. They must be together when they are to stay so again.
 void set_enabled(World& world, ParticleId hinge, bool enabled);
 
+/// What broke, with the serials that tell what was made first.
+using BrokenThings = std::vector<std::pair<AnyId, std::uint64_t>>;
 /// Ends constraints and hinges that bore more in the step just done than they can; told as "broke".
-void break_constraints(World& world);
+BrokenThings break_constraints(World& world);
+/// What broke is told in the order of making: of the notices from `first` on, those of what is in the list.
+void tell_in_order(World& world, std::size_t first, const BrokenThings& broken);
 
 }  // namespace pantin

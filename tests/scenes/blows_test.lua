@@ -96,3 +96,24 @@ for _, rate in ipairs { 60, 240 } do
     end
   end)
 end
+
+test("what breaks in one step is told in the order in which it was made", function()
+  local opened = open_text [[
+    scene.gravity = vec(0, -1000, 0)
+    local function hung(x) return scene:particle { at = vec(x, 0, 0) } end
+    local ties = {
+      scene:connect(hung(1), vec(1, 1, 0), force.spring { stiffness = 1e4 }, { name = "first", breaks_at = { force = 1 } }),
+      scene:rod(hung(2), vec(2, 1, 0), { name = "second", breaks_at = { force = 1 } }),
+      scene:connect(hung(3), vec(3, 1, 0), force.spring { stiffness = 1e4 }, { name = "third", breaks_at = { force = 1 } }),
+    }
+    local p, q = hung(4), hung(6)
+    scene:nail(p)
+    local left = scene:body { at = vec(4, 0, 0), mass = 1, inertia = vec(1, 1, 1), points = { end_ = vec(0, 0, 0) } }
+    ties[4] = scene:hinge(p, left.end_, { name = "fourth", breaks_at = { force = 1 } })
+    ties[5] = scene:rod(q, vec(6, 1, 0), { name = "fifth", breaks_at = { force = 1 } })
+    local told = {}
+    scene:on("broke", function(thing) told[#told + 1] = tostring(thing):match "'(.-)'" end)
+    scene:at(0.1, function() assert(table.concat(told, " ") == "first second third fourth fifth", table.concat(told, " ")) end)
+  ]]
+  opened:advance(0.2)
+end)
