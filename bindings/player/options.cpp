@@ -32,11 +32,27 @@ void settle_state(RunOptions& run) {
     run.save_to = std::filesystem::path(run.from.empty() ? run.scene : run.from).stem().string() + state_ending;
 }
 
+/// What says how an output is written, where there is none.
+void check_outputs(const RunOptions& run, const Texts& texts, bool draws) {
+  const auto any = [&](auto is) { return std::ranges::any_of(run.outputs, is); };
+  const bool tables = any([](const std::string& path) { return path.ends_with(".csv") || path.ends_with(".h5"); });
+  const bool pictures = any([](const std::string& path) { return path.ends_with(".png") || Film::can_write(path); });
+  const auto need = [](const char* option, bool given, const char* endings) {
+    if (given) throw UsageError(text(option, " is for what --out writes: give it a file that ends in ", endings));
+  };
+  if (!tables) need("--every", run.table.every > 0.0, ".csv or .h5");
+  if (!tables) need("--when", !run.table.when.empty(), ".csv or .h5");
+  if (draws || pictures) return;
+  need("--size", !texts.size.empty(), ".png, .mp4, .gif or .webp");
+  need("--view", !texts.views.empty(), ".png, .mp4, .gif or .webp");
+}
+
 /// What texts say, and what belongs together.
 void settle(Options& options, const Texts& texts) {
   for (const std::string& setting : texts.settings) {
     auto equals = setting.find('=');
-    options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
+    if (!options.run.set.emplace(setting.substr(0, equals), setting.substr(equals + 1)).second)
+      throw UsageError(text("--set ", setting, ": '", setting.substr(0, equals), "' is set twice"));
   }
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
   if (!texts.views.empty()) options.run.views = read_views(texts.views);
@@ -159,6 +175,8 @@ Options read_options(int argc, const char* const* argv) {
   settle(options, texts);
   options.command = command_of(app);
   if (options.command == Options::Command::run) settle_state(options.run);
+  if (options.command == Options::Command::run || options.command == Options::Command::play)
+    check_outputs(options.run, texts, options.command == Options::Command::play);
   return options;
 }
 

@@ -107,7 +107,8 @@ TEST_CASE("confine: an untrusted scene runs as any other") {
   support::write_file(folder / "a/scene.lua",
                       "local h = require('helper')\nscene:particle { at = vec(0, h.height, 0) }");
   const auto run = [&](std::vector<std::string> more, const std::string& out) {
-    std::vector<std::string> arguments = {"run", "a/scene.lua", "--until", "0.1", "--size", "64x64", "--out", out};
+    std::vector<std::string> arguments = {"run", "a/scene.lua", "--until", "0.1", "--out", out};
+    if (ending == ".png") arguments.insert(arguments.end(), {"--size", "64x64"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return support::use(folder, arguments);
   };

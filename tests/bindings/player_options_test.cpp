@@ -53,7 +53,7 @@ TEST_CASE("options: run with everything") {
 }
 
 TEST_CASE("options: views are those that are on at first, with what is named and without what has a minus") {
-  const Options o = read({"run", "chain", "--view", "rings,-shadows"});
+  const Options o = read({"run", "chain", "--out", "a.png", "--view", "rings,-shadows"});
   CHECK(o.run.views.on(pantin::View::rings));
   CHECK(o.run.views.on(pantin::View::bodies));
   CHECK_FALSE(o.run.views.on(pantin::View::shadows));
@@ -121,6 +121,18 @@ TEST_CASE("options: wrong use names what is wrong and what is allowed") {
     CHECK_THROWS_WITH(read({"run", "chain", text("--memory-limit=", wrong).c_str()}),
                       Contains(text("'", wrong, "' must be a size of 1MiB or more")));
   CHECK_THROWS_WITH(read({"run", "chain", "--colour", "red"}), Contains("--colour") && Contains("run --help"));
+}
+
+TEST_CASE("options: what would be of no use is refused") {
+  CHECK_THROWS_WITH(read({"run", "chain", "--set", "links=3", "--set", "links=4"}),
+                    Contains("--set links=4: 'links' is set twice"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--every", "0.1"}), Contains("--every is for what --out writes"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--out", "a.png", "--when", "height"}), Contains("--when is for"));
+  CHECK_THROWS_WITH(read({"play", "chain", "--every", "0.1"}), Contains(".csv or .h5"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--out", "a.csv", "--size", "64x64"}), Contains("--size is for"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--view", "rings"}), Contains("--view is for") && Contains(".png"));
+  CHECK(read({"play", "chain", "--size", "640x480", "--view", "rings"}).run.size.width == 640);
+  CHECK(read({"run", "chain", "--out", "a.h5", "--every", "0.1"}).run.table.every == 0.1);
 }
 
 TEST_CASE("message: a script's line is known") {

@@ -19,13 +19,15 @@ struct Outcome {
 };
 
 std::vector<std::string> arguments_for(const std::string& file) {
-  std::vector<std::string> all = {"run", "scene.lua", "--until", "0.1", "--size", "64x64"};
+  std::vector<std::string> all = {"run", "scene.lua", "--until", "0.1"};
   if (file.ends_with(".json"))
     all.insert(all.end(), {"--summary", file});
   else if (file.ends_with(".pantin"))
     all.insert(all.end(), {"--save-at", "0.05", "--save-to", file});
   else
     all.insert(all.end(), {"--out", file});
+  for (const char* drawn : {".png", ".mp4", ".gif"})
+    if (file.ends_with(drawn)) all.insert(all.end(), {"--size", "64x64"});
   return all;
 }
 
