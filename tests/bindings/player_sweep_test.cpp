@@ -165,7 +165,20 @@ TEST_CASE("sweep: what is wrong is told before the first case, and leaves nothin
   refused({"--set", "length=1:2:1000000", "--seeds", "1:1000000"}, "1e+12 cases");
   refused({"--set", "length=1:11:3"}, "length must be at most 10, got 11");
   refused({"--set", "length=0.05,1"}, "length must be at least 0.1, got 0.05");
+  refused({"--set", "links=2,many"}, "--set links=many: links must be a number, got 'many'");
   refused({"--set", "scene.stepp=0.01:0.02:3"}, "Did you mean 'step'?");
+}
+
+TEST_CASE("sweep: a value that is none of a parameter's choices is refused before the first case") {
+  Folder folder;
+  write_file(folder / "kinds.lua", "scene:param('kind', 'red', { choices = { 'red', 'blue' } })");
+  const auto of = [&](const char* kinds) {
+    return use(folder, {"sweep", "kinds.lua", "--set", kinds, "--until", "0.01", "--out", "t.csv"});
+  };
+  const Finished wrong = of("kind=red,green");
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.err, Contains("--set kind=green: kind must be one of red, blue, got green"));
+  CHECK(of("kind=red,blue").code == 0);
 }
 
 TEST_CASE("sweep: a state, whose parameters are set, is refused") {

@@ -2,27 +2,16 @@
 #include "lua/scene/parameters.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
+#include "scene/parameter.hpp"
 
 namespace pantin::lua {
 namespace {
-
-std::string text_of(const SceneValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  return std::get<std::string>(value);
-}
-
-const char* type_name(const SceneValue& value) {
-  if (std::holds_alternative<double>(value)) return "a number";
-  return std::holds_alternative<bool>(value) ? "true or false" : "a string";
-}
 
 SceneValue check_value(lua_State* state, int index, const std::string& what, const std::string& name) {
   switch (lua_type(state, index)) {
@@ -35,72 +24,12 @@ SceneValue check_value(lua_State* state, int index, const std::string& what, con
       text(what, ": ", name, " must be a number, true or false, or a string, got ", kind_of_value(state, index)));
 }
 
-/// Throws Error where a number is none of base, base ± step, base ± 2 step, …, up to round-off.
-void check_step(const SceneParameter& p, double value) {
-  if (!p.step) return;
-  const double base = p.min.value_or(std::get<double>(p.initial)), step = *p.step;
-  const double count = (value - base) / step, below = std::floor(count);
-  const double round_off = 1e-9 * std::max(1.0, std::fabs(count));
-  if (std::fabs(count - std::round(count)) <= round_off) return;
-  throw Error(text(p.name, " goes in steps of ", step, " from ", base, ", so it must be ", base + below * step, " or ",
-                   base + (below + 1) * step, ", got ", value));
-}
-
-/// Throws Error where the value is not allowed.
-void check_allowed(const SceneParameter& p, const SceneValue& value) {
-  require(value.index() == p.initial.index(), p.name, " must be ", type_name(p.initial), ", got ", type_name(value));
-  if (const auto* number = std::get_if<double>(&value)) {
-    require(std::isfinite(*number), p.name, " must be a finite number, got ", *number);
-    require(!p.min || *number >= *p.min, p.name, " must be at least ", p.min.value_or(0), ", got ", *number);
-    require(!p.max || *number <= *p.max, p.name, " must be at most ", p.max.value_or(0), ", got ", *number);
-    check_step(p, *number);
-  }
-  if (p.choices.empty() || std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end()) return;
-  std::vector<std::string> names;
-  for (const SceneValue& choice : p.choices) names.push_back(text_of(choice));
-  throw Error(text(p.name, " must be one of ", joined(names), ", got ", text_of(value)));
-}
-
-/// A text without the quotes that a shell has left round it.
-std::string unquoted(const std::string& given) {
-  const bool quoted =
-      given.size() >= 2 && (given.front() == '"' || given.front() == '\'') && given.back() == given.front();
-  return quoted ? given.substr(1, given.size() - 2) : given;
-}
-
-/// Reads a number as `--set` gives it: "0.5", "1/60".
-std::optional<double> number_of_text(const std::string& given) {
-  const auto read = [](std::string_view s) -> std::optional<double> {
-    double value = 0.0;
-    const auto result = std::from_chars(s.data(), s.data() + s.size(), value);
-    if (s.empty() || result.ec != std::errc{} || result.ptr != s.data() + s.size()) return {};
-    return value;
-  };
-  const std::string_view s = given;
-  const auto slash = s.find('/');
-  if (slash == s.npos) return read(s);
-  const auto above = read(s.substr(0, slash)), below = read(s.substr(slash + 1));
-  if (!above || !below) return {};
-  return *above / *below;
-}
-
-/// The value that a text of the command line means for a parameter.
-SceneValue value_of_text(const SceneParameter& p, const std::string& given) {
-  if (std::holds_alternative<std::string>(p.initial)) return unquoted(given);
-  if (std::holds_alternative<bool>(p.initial)) {
-    require(given == "true" || given == "false", p.name, " must be true or false, got '", given, "'");
-    return given == "true";
-  }
-  const auto number = number_of_text(given);
-  require(number.has_value(), p.name, " must be a number, got '", given, "'");
-  return *number;
-}
-
 void read_choices(lua_State* state, const Options& o, SceneParameter& p) {
   const int list = o.push("choices");
   if (!lua_isnil(state, list)) {
     require(lua_istable(state, list), "param: choices must be a list, got ", kind_of_value(state, list));
     const auto count = lua_rawlen(state, list);
+    require(count > 0, "param: choices must have at least one value, got none");
     for (lua_Unsigned i = 1; i <= count; i++) {
       lua_rawgeti(state, list, static_cast<lua_Integer>(i));
       p.choices.push_back(check_value(state, -1, "param", text("choice ", i)));

@@ -7,6 +7,7 @@
 #include "player/csv.hpp"
 #include "player/json.hpp"
 #include "scene/errors.hpp"
+#include "scene/parameter.hpp"
 
 namespace pantin::player {
 namespace {
@@ -23,6 +24,14 @@ void check_range(const Axis& axis, const ParameterLook& parameter) {
     if (parameter.max && value > *parameter.max)
       throw UsageError(text(axis.name, " must be at most ", *parameter.max, ", got ", value));
   }
+}
+
+/// Why one of the values is none that the parameter takes; empty: all are.
+std::string why_not(const Axis& axis, const SceneParameter& parameter) {
+  for (const std::string& value : axis.values) try {
+      check_allowed(parameter, value_of_text(parameter, value));
+    } catch (const Error& error) { return text("--set ", axis.name, "=", value, ": ", error.what()); }
+  return "";
 }
 
 /// What the scene says of a parameter that it has not.
@@ -52,7 +61,11 @@ SceneLook look_at_scene(const std::vector<Axis>& axes, const std::string& path, 
   SceneLook look;
   for (const SceneOptions& tried : {first, limits}) try {
       const auto scene = lua::open_scene(path, tried);
-      for (const SceneParameter& p : scene->parameters()) look.parameters[p.name] = {p.min, p.max, p.integer};
+      for (const SceneParameter& p : scene->parameters()) {
+        look.parameters[p.name] = {p.min, p.max, p.integer};
+        for (const Axis& axis : axes)
+          if (axis.name == p.name && look.unknown.empty()) look.unknown = why_not(axis, p);
+      }
       for (const Axis& axis : axes)
         if (!look.parameters.contains(axis.name) && !axis.name.starts_with("scene."))
           look.unknown = why_unknown(axis, path, limits);
