@@ -601,12 +601,12 @@ function Group:break_connections() end
 ---```
 ---@param energy number [J]
 function Group:heat(energy) end
----Lower and upper corner [m] of the box round all its points.
+---Lower and upper corner [m] of the box round all its points; nil where it has none.
 ---```lua
 ---local lower, upper = group:bounds()
 ---```
----@return vec
----@return vec
+---@return vec?
+---@return vec?
 function Group:bounds() end
 ---Lists of what is within the distance of another member, biggest first.
 ---```lua

@@ -105,7 +105,13 @@ int cut_hinges(lua_State* state) {
 
 int bounds_of(lua_State* state) {
   const Self self = check_self(state, Kind::group, "bounds");
-  const Bounds box = bounds(self.world, things_of(self.world, group_id(self)));
+  const Things things = things_of(self.world, group_id(self));
+  if (things.bodies.empty() && things.free_points.empty()) {
+    lua_pushnil(state);
+    lua_pushnil(state);
+    return 2;
+  }
+  const Bounds box = bounds(self.world, things);
   push(state, box.low);
   push(state, box.high);
   return 2;
@@ -146,7 +152,8 @@ Type make_group_type() {
        "what rests gets random velocities, of which the next step takes what ties forbid (in the ledger's `edit`): "
        "heat again for the rest.",
        "group:heat(5)"},
-      {"bounds", guard<bounds_of>, "", "vec, vec", "Lower and upper corner [m] of the box round all its points.",
+      {"bounds", guard<bounds_of>, "", "vec?, vec?",
+       "Lower and upper corner [m] of the box round all its points; nil where it has none.",
        "local lower, upper = group:bounds()"},
       {"clusters", guard<clusters_of>, "distance: number [m]", "Thing[][]",
        "Lists of what is within the distance of another member, biggest first.",
