@@ -47,7 +47,10 @@ std::vector<Field> show_settings() {
          else
            lua_pushnil(s.state);
        },
-       [](const Self& s, int i) { s.script.duration = check_positive(s, i, "duration", "s"); }},
+       [](const Self& s, int i) {
+         s.script.duration.reset();
+         if (!lua_isnil(s.state, i)) s.script.duration = check_positive(s, i, "duration", "s");
+       }},
       {"pace", "number", "1", "simulated s per real s (default `1`)",
        [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
        [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
