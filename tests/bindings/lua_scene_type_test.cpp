@@ -157,7 +157,7 @@ TEST_CASE("results, finish, probes and warnings come out") {
   CHECK(scene->world().probes[0].values[1] == 1 + scene->world().time);
   CHECK_THAT(failure("scene:probe('a', function()\nreturn 'x' end)"),
              Contains("probe 'a': what the function returns must be a number, got a string"));
-  CHECK_THAT(failure("scene:result('a', {})"), Contains("must be a string, got a table"));
+  CHECK_THAT(failure("scene:result('a', {})"), Contains("must be a number, true or false, or a string, got a table"));
 }
 
 TEST_CASE("measures can be read") {

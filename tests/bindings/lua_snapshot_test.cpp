@@ -118,7 +118,7 @@ TEST_CASE("snapshot: a script goes back when its step is done, with its handlers
       scene:restore(saved)
       assert(scene.time > 0.9 and late.alive)
     end)
-    scene:probe("time", function() return scene.time end)
+    scene:probe("now", function() return scene.time end)
     scene:on("key", function()
       scene:result("x", saved.time)
       assert(not late.alive and not pcall(function() return late.mass end))

@@ -282,7 +282,7 @@ int scene_on(lua_State* state) {
 
 int scene_button(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "button");
-  const std::string name = check_text(state, 2, "button", "argument 1, the name,");
+  const std::string name = check_name(state, 2, "button");
   const Callback function = check_function(state, 3, "button", "argument 2");
   Script& script = self.script;
   if (!script.button_functions.contains(name)) script.buttons.push_back(name);
@@ -292,7 +292,8 @@ int scene_button(lua_State* state) {
 
 int scene_probe(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "probe");
-  const std::string name = check_text(state, 2, "probe", "argument 1, the name,");
+  const std::string name = check_name(state, 2, "probe");
+  require(name != "time", "probe: argument 1, the name, must not be 'time', which is the first column of each table");
   const Callback function = check_function(state, 3, "probe", "argument 2");
   require(!self.world.locked,
           "probe: probes cannot be added while the world steps; add them in an event or a step callback");

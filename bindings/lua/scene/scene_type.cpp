@@ -71,12 +71,15 @@ int scene_group(lua_State* state) {
 
 int scene_result(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "result");
-  const std::string name = check_text(state, 2, "result", "argument 1, the name,");
+  const std::string name = check_name(state, 2, "result");
   SceneValue value;
   switch (lua_type(state, 3)) {
     case LUA_TNUMBER: value = check_number(state, 3, "result", "argument 2, the value,", ""); break;
     case LUA_TBOOLEAN: value = lua_toboolean(state, 3) != 0; break;
-    default: value = check_text(state, 3, "result", "argument 2, the value,");
+    case LUA_TSTRING: value = check_text(state, 3, "result", "argument 2, the value,"); break;
+    default:
+      throw Error(text("result: argument 2, the value, must be a number, true or false, or a string, got ",
+                       kind_of_value(state, 3)));
   }
   self.script.results.insert_or_assign(name, std::move(value));
   return 0;
@@ -86,11 +89,12 @@ int scene_result(lua_State* state) {
 int scene_open(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "open");
   const std::string name = check_text(state, 2, "open", "argument 1, the file,");
-  const Runtime& runtime = self.script.runtime;
+  Runtime& runtime = self.script.runtime;
   const std::string path = path_in(runtime.folder, name);
   require(name.ends_with(".lua"), "open: argument 1, the file, must end in .lua, got '", name, "'");
   require(stays_inside(name) && lies_below(path, runtime.folder), "open: '", name,
           "' must be a file below the scene's folder");
+  require(runtime.read(path, largest_source), "open: there is no file '", name, "' in the scene's folder");
   self.script.next = path;
   self.script.finished = true;
   log_line(self.world, "notice", text(where(state), ": the next scene is ", name));

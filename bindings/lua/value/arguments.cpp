@@ -87,6 +87,12 @@ std::string check_text(lua_State* state, int index, std::string_view what, std::
   return {s, size};
 }
 
+std::string check_name(lua_State* state, int index, std::string_view what) {
+  std::string name = check_text(state, index, what, "argument 1, the name,");
+  require(!name.empty(), what, ": argument 1, the name, must not be empty");
+  return name;
+}
+
 Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name) {
   require(lua_isfunction(state, index), what, ": ", name, " must be a function, got ", kind_of_value(state, index));
   return Callback(state, index);

@@ -26,6 +26,8 @@ Quat check_quat(lua_State* state, int index, std::string_view what, std::string_
 Color check_color(lua_State* state, int index, std::string_view what, std::string_view name);
 bool check_boolean(lua_State* state, int index, std::string_view what, std::string_view name);
 std::string check_text(lua_State* state, int index, std::string_view what, std::string_view name);
+/// The name that a call is given first; not empty.
+std::string check_name(lua_State* state, int index, std::string_view what);
 Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name);
 
 /// Throws Error where a call has more than `most` arguments, the first of which is at `first`. Values of nil at the end are none.
