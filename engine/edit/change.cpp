@@ -214,6 +214,7 @@ void set_integrator(World& world, Integrator integrator) {
     world.settings.integrator = before;
     throw;
   }
+  world.integrator_from = world.who ? world.who() : "";
   if (integrator == before) return;
   disturb_forces(world);
   world.stiffness_unknown = true;

@@ -31,6 +31,8 @@ void require_few(const World& world, const std::string& who, const Emitter& e, d
           " of its particles would live at once; give it a lifetime or a max, or a rate below ", e.rate, " 1/s");
 }
 
+std::string acting(const World& world) { return world.who ? world.who() : ""; }
+
 void require_spread(std::string_view call, double spread) {
   require(spread >= 0.0 && spread <= std::numbers::pi, call, ": spread must be from 0 to pi rad, got ", spread);
 }
@@ -173,7 +175,7 @@ void emit(World& world, EmitterId id, double end) {
   Emitter& e = world.emitters[id];
   const double reached = with_round_off(end);
   const double due = e.rate * (reached - e.origin) + e.phase - static_cast<double>(e.since);
-  require_few(world, describe(world, id), e, due);
+  require_few(world, text(e.rate_from, e.rate_from.empty() ? "" : ": ", describe(world, id)), e, due);
   Base base;
   if (e.point) base = base_of(world, e.point);
   if (due >= 0.5 && e.rate > 0.0) disturb_forces_by_birth(world, e.family);
@@ -212,6 +214,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   row.look = def.look;
   row.rate = def.rate;
   row.rate_at = def.rate_at;
+  row.rate_from = acting(world);
   row.velocity = world.plane.along(def.velocity);
   row.spread = def.spread;
   row.shortest = def.shortest;
@@ -242,11 +245,15 @@ void set_rate(World& world, EmitterId id, double rate) {
   change_rate(world, id, "rate", [&](Emitter& e) {
     e.rate = rate;
     e.rate_at = {};
+    e.rate_from = acting(world);
   });
 }
 
 void set_rate(World& world, EmitterId id, std::function<double(double)> rate) {
-  change_rate(world, id, "rate", [&](Emitter& e) { e.rate_at = std::move(rate); });
+  change_rate(world, id, "rate", [&](Emitter& e) {
+    e.rate_at = std::move(rate);
+    e.rate_from = acting(world);
+  });
 }
 
 void set_enabled(World& world, EmitterId id, bool enabled) {

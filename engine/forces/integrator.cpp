@@ -112,6 +112,10 @@ void require_integrator_fits(const World& world) {
           "\" has fixed steps");
 }
 
+std::string place_of_integrator(const World& world) {
+  return world.integrator_from.empty() ? "" : world.integrator_from + ": ";
+}
+
 double wanted_accuracy(const World& world) {
   const double wanted = *world.settings.accuracy;
   return world.settings.accuracy_per_step ? wanted / world.settings.step : wanted;

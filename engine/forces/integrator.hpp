@@ -31,6 +31,8 @@ inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.
 
 /// Throws Error where the integrator of the settings cannot move the world, or the accuracy needs another one.
 void require_integrator_fits(const World& world);
+/// "scene.lua:12: ", where the integrator was set, or "".
+std::string place_of_integrator(const World& world);
 
 /// The wanted error [1/s], relative to sizes; `accuracy` must be set.
 double wanted_accuracy(const World& world);

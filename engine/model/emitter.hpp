@@ -44,6 +44,7 @@ struct Emitter {
   std::uint64_t count = 0;  ///< of its particles that live
   bool enabled = true;
   std::string name;
+  std::string rate_from;  ///< "scene.lua:12", where its rate was given, or empty
   std::uint64_t serial = 0;
 };
 

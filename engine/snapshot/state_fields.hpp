@@ -196,7 +196,7 @@ inline auto own_fields(WorldData& w) {
                   w.loose_masses, w.given_by_laws, w.stiffness_unknown, w.ledger, w.nonconservative_work, w.work_check,
                   w.stats, w.error, w.worst, w.work, w.start_energy, w.largest_kinetic, w.worst_energy, w.mortals,
                   w.saved_points, w.saved_motion, w.slopes, w.last_actor, w.last_act, w.pushed, w.locked, w.unchecked,
-                  w.trouble, w.failure);
+                  w.integrator_from, w.trouble, w.failure);
 }
 inline auto own_fields(Articulate& a) {
   return std::tie(a.plane, a.nodes, a.rows, a.batches, a.ends, a.at_ends, a.row_blocks, a.couplings, a.hubs, a.saved,

@@ -18,13 +18,20 @@ void run_or_fail(World& world, Run run) {
   } catch (const Error& error) { world.trouble = error.what(); }
 }
 
+/// What came since the integrator was set is told with where that was.
+void check_integrator(const World& world) {
+  try {
+    require_integrator_fits(world);
+  } catch (const Error& error) { throw Error(place_of_integrator(world) + error.what()); }
+}
+
 }  // namespace
 
 void refresh_forces(World& world) {
   if (!world.unchecked && !world.force_elements_changed && !world.forces) return;
   const Timed timed(world.profile, Phase::refresh_forces);
   try {
-    if (world.unchecked) require_integrator_fits(world);
+    if (world.unchecked) check_integrator(world);
     world.unchecked = false;
     bool anew = world.force_elements_changed || !acting_now(world);
     refresh_laws(world);

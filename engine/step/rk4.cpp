@@ -134,9 +134,9 @@ void require_slow_change(World& world) {
   if (!world.forces || !world.forces->velocity_dependent || !world.trouble.empty()) return;
   const double rate = fastest_change(world, *world.forces);
   if (rate * world.settings.step <= limit) return;
-  world.trouble = text("the integrator \"rk4\" cannot follow ", velocity_laws(world, *world.forces),
-                       ", a force that damps or turns what moves at ", rate, " per second in steps of ",
-                       world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
+  world.trouble = text(place_of_integrator(world), "the integrator \"rk4\" cannot follow ",
+                       velocity_laws(world, *world.forces), ", a force that damps or turns what moves at ", rate,
+                       " per second in steps of ", world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
 }
 
 }  // namespace

@@ -213,13 +213,14 @@ struct WorldData : Model {
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
   Slopes slopes;                         ///< of the integrator "rk4"
 
-  std::string last_actor;  ///< who pushed, kicked or changed a thing last; empty: nobody yet
-  double last_act = 0.0;   ///< [s] when
-  bool pushed = false;     ///< pushes or twists wait for the coming step
-  bool locked = false;     ///< inside a step, outside the phases in which scripts run
-  bool unchecked = true;   ///< whether the integrator fits is to be seen anew
-  std::string trouble;     ///< not empty: a law failed in this step
-  std::string failure;     ///< not empty: the state became non-finite; the world steps no more
+  std::string last_actor;       ///< who pushed, kicked or changed a thing last; empty: nobody yet
+  double last_act = 0.0;        ///< [s] when
+  bool pushed = false;          ///< pushes or twists wait for the coming step
+  bool locked = false;          ///< inside a step, outside the phases in which scripts run
+  bool unchecked = true;        ///< whether the integrator fits is to be seen anew
+  std::string integrator_from;  ///< "scene.lua:12", where the integrator was set, or empty
+  std::string trouble;          ///< not empty: a law failed in this step
+  std::string failure;          ///< not empty: the state became non-finite; the world steps no more
 };
 
 struct World : WorldData {
