@@ -39,7 +39,8 @@ const char* words_for(Range range) {
 void check_direction(std::string_view before, std::span<const Parameter> parameters, std::span<const double> values,
                      std::size_t index) {
   const std::string& name = parameters[index].name;
-  const auto part = static_cast<std::size_t>(name.back() - 'x');
+  const std::size_t part = name.empty() ? 3 : static_cast<std::size_t>(name.back() - 'x');
+  if (part > 2 || part > index || index - part + 3 > values.size()) return;  // only in a state that was forged
   const std::span<const double> v = values.subspan(index - part, 3);
   require(v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0, before, name.substr(0, name.size() - 2),
           " must not be 0, and with ", name, " = 0 all its parts are");

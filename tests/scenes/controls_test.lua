@@ -123,11 +123,11 @@ test("what touches is heard as its density says, and its motion stays the same",
 end)
 
 test("a scene may open another when the step is done", function()
-  local scene = open_text [[scene:at(0, function() scene:open("level2.lua") scene:result("after", true) end)]]
+  local scene = open_text [[scene:at(0, function() scene:open("touch_test.lua") scene:result("after", true) end)]]
   expect(scene.next):equal(nil)
   scene:step()
   expect(scene:result("after")):is_true()
-  expect(scene.next:match("level2.lua$")):equal("level2.lua")
+  expect(scene.next:match("touch_test.lua$")):equal("touch_test.lua")
   expect(scene.finished):is_true()
   expect(function() open_text [[scene:open("../other.lua")]] end):fails("must be a file below the scene's folder")
   expect(function() open_text [[scene:open("level2")]] end):fails("must end in .lua")

@@ -94,7 +94,7 @@ end)
 
 test("the torque told of what turns a body by time is what its angular momentum gains", function()
   local turns = { "10 * t, 10", "4 * t + 3 * t ^ 2, 4 + 6 * t", "2 * math.sin(5 * t), 10 * math.cos(5 * t)" }
-  local ties = { "scene:motor(wheel, { axis = z, angle = turn })", "scene:orient(wheel, function(t) return quat(z, turn(t)) end)",
+  local ties = { "scene:motor(wheel, { axis = z, angle = turn })", "scene:orient(wheel, function(t) return quat(z, (turn(t))) end)",
                  "scene:motor(wheel, { axis = z, speed = function(t) return select(2, turn(t)) end })" }
   for _, turn in ipairs(turns) do
     for _, tie in ipairs(ties) do

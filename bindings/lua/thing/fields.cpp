@@ -111,10 +111,11 @@ int new_index(lua_State* state) {
     require_alive(self.ref);
     if (type.write_more(self, lua_tostring(state, 2), 3)) return 0;
   }
-  if (type.more && lua_type(state, 2) == LUA_TSTRING) {
+  if (type.more_names && lua_type(state, 2) == LUA_TSTRING) {
     require_alive(self.ref);
-    require(!type.more(self, lua_tostring(state, 2)), type.word, ": ", lua_tostring(state, 2),
-            " can be read, not written");
+    const std::vector<std::string> own = type.more_names(self);
+    require(std::find(own.begin(), own.end(), lua_tostring(state, 2)) == own.end(), type.word, ": ",
+            lua_tostring(state, 2), " can be read, not written");
   }
   unknown(self, type, "cannot write unknown field");
 }

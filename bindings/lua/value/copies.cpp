@@ -9,31 +9,39 @@ namespace {
 const char lock_key = 0;  // of the registry
 
 /// Pushes what a locked table holds at a key that no other table of values has: its contents at false, the message at true.
+/// In a state that was forged either may be missing.
 void push_held(lua_State* state, int index, bool which) {
   index = lua_absindex(state, index);
   lua_pushboolean(state, which);
   lua_rawget(state, index);
 }
 
+void push_contents(lua_State* state, int index) {
+  require(lua_istable(state, index), "a copy is a table");
+  push_held(state, index, false);
+  require(lua_istable(state, -1), "a copy has no contents");
+}
+
 int locked_contents(lua_State* state) {
-  push_held(state, 1, false);
+  push_contents(state, 1);
   return 1;
 }
 
 int locked_index(lua_State* state) {
-  push_held(state, 1, false);
+  push_contents(state, 1);
   lua_pushvalue(state, 2);
   lua_rawget(state, -2);
   return 1;
 }
 
 int locked_length(lua_State* state) {
-  push_held(state, 1, false);
+  push_contents(state, 1);
   lua_pushinteger(state, static_cast<lua_Integer>(lua_rawlen(state, -1)));
   return 1;
 }
 
 int locked_change(lua_State* state) {
+  require(lua_istable(state, 1), "a copy is a table");
   std::string message = message_of_locked(state, 1);
   if (message.ends_with(" = ")) {
     const bool plain = lua_type(state, 2) == LUA_TSTRING && lua_type(state, 3) == LUA_TNUMBER;
@@ -88,7 +96,7 @@ bool is_locked(lua_State* state, int index) {
 
 std::string message_of_locked(lua_State* state, int index) {
   push_held(state, index, true);
-  std::string message = lua_tostring(state, -1);
+  std::string message = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1) : "a copy cannot be written";
   lua_pop(state, 1);
   return message;
 }
