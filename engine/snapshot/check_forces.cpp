@@ -46,6 +46,12 @@ void check_bonds(const ActingConnections& a, std::size_t sites) {
   for (const std::vector<double>& column : list.parameters) sound_forces(column.size() == a.ids.size());
 }
 
+/// A law that acts for a row has the parameters of that row's own.
+template <class Acting, class Rows>
+void check_row(const Acting& a, const Rows& rows) {
+  sound_forces(a.law && (!rows.alive(a.id) || rows[a.id].parameters.size() == a.law->parameters.size()));
+}
+
 void check_exclusions(const Exclusions& e, std::size_t sites) {
   if (e.begin.empty()) return;
   sound_forces(e.begin.size() == sites + 1 && std::is_sorted(e.begin.begin(), e.begin.end()) &&
@@ -86,7 +92,8 @@ void check_read(const Forces& f, const World& world) {
   sound_forces(f.point.size() >= n && f.inverse_mass.size() >= n && f.attached_of.size() >= n &&
                f.site_of.size() <= world.particles.slots() && f.receiver_of_body.size() <= world.bodies.slots() &&
                f.receiver_of_point.size() <= world.points.slots());
-  for (const ActingInteraction& a : f.interactions) check_exclusions(a.bonded, n);
+  for (const ActingInteraction& a : f.interactions) check_exclusions(a.bonded, n), check_row(a, world.interactions);
+  for (const ActingField& a : f.fields) check_row(a, world.fields);
   for (const ActingConnections& a : f.connections) check_bonds(a, n);
   for (const std::uint32_t site : f.gone) sound_forces(site < n);
   check_sizes(n, {f.image.size(), f.still.size(), f.undamped.size(), f.noise.size(), f.kicked_from.size(),
