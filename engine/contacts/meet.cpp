@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "articulates/solve/matrix.hpp"
+#include "articulates/solve/momenta.hpp"
 #include "contacts/gains.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/pass_parts.hpp"
@@ -49,6 +50,26 @@ void share_heat_beside(const Model& model, std::span<const TouchIsland> placed, 
   for (const TouchIsland& island : placed)
     if (std::find(island.things.begin(), island.things.end(), thing) != island.things.end())
       return share_work(model, island.placed, work, contacts.new_heat);
+}
+
+/// What ties gave that draw ends together which are apart turned a free articulate: it turns back. Returns what that gave [J].
+double turn_back_drawn(const Articulates& articulates, const TouchIsland& island) {
+  double work = 0.0;
+  for (const std::uint32_t number : island.articulates) {
+    Articulate& a = *articulates[number];
+    if (!acts_at_distance(a)) continue;
+    Momenta wanted = momenta_of(a);
+    for (std::size_t k = 0; k < island.rows.size(); k++) {
+      const IslandTie& t = island.problem.ties[k];
+      if (island.rows[k][0] != number || t.lever > 0.0 || t.b < 0) continue;
+      const auto end = [&](std::int32_t body, Vec3 arm) {
+        return island.states[static_cast<std::size_t>(body)].x + arm;
+      };
+      wanted.angular -= cross(end(t.a, t.ra) - end(t.b, t.rb), t.kept * t.impulse);
+    }
+    work += restore_momenta(a, wanted);
+  }
+  return work;
 }
 
 /// What ties that move give by impulses at the end of the step.
@@ -211,8 +232,10 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     add_tie_loads(problem, loads);
     tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);
+    const double drawn = turn_back_drawn(articulates, island);
     turn_where_foreseen(model, articulates, contacts, space.turned, settings.drifted, island);
-    const ImpulseWork ties = work_of_ties(articulates, island);
+    ImpulseWork ties = work_of_ties(articulates, island);
+    ties.anchors += drawn;
     report.ties += ties;
     const double work = kinetic_energy_now(model, island) - before - ties.all();
     report.work += work;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulates/solve/momenta.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
@@ -55,8 +56,11 @@ ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& set
   begin_answers_now(a, model, settings);
   for (std::size_t k = 0; k < driven.size(); k++)
     if (Condition& c = a.conditions[k]; c.driven) c.wanted = c.worked_at = driven[k];
-  const ImpulseWork work = answer(a);
+  const bool at_distance = acts_at_distance(a);
+  const Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
+  ImpulseWork work = answer(a);
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+  if (at_distance) work.anchors += restore_momenta(a, momenta);
   drop_factor(a, FactorOf::projection);
   if (!settings.drifted)
     for (const Node& n : a.nodes) store(n, model);
