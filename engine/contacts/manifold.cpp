@@ -19,7 +19,7 @@ constexpr double passing_overlap = 5e-4;
 constexpr double no_approach = 1e-6;
 /// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met; of what rebounds, since what
 /// turns with the normal then loses energy.
-constexpr double least_blow = 0.02, least_blow_of_rebound = 0.002;
+constexpr double least_blow = 0.02, least_blow_of_rebound = 0.0002;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.

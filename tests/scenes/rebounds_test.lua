@@ -129,3 +129,25 @@ for name, case in pairs(tied) do
     expect(left[1]):near(left[2], 2e-3 * left[2])
   end)
 end
+
+test("balls that graze each other part as the closed form says", function()
+  for _, hz in ipairs { 60, 240 } do
+    for _, speed in ipairs { 1, 10 } do
+      for _, offset in ipairs { 0.15, 0.285, 0.298 } do
+        for phase = 0, 0.9, 0.3 do
+          local scene = open_text(([[
+            local speed, hz = %g, %g
+            scene.step, scene.gravity = 1 / hz, vec(0, 0, 0)
+            local at = vec(-0.5 - %g * speed / hz, %g, 0)
+            scene:ball { radius = 0.15, at = at, velocity = vec(speed, 0, 0), mass = 1, restitution = 1, friction = 0 }
+            scene:ball { radius = 0.15, mass = 1, restitution = 1, friction = 0 }
+          ]]):format(speed, hz, phase, offset))
+          scene:advance(1.2 / speed)
+          local struck, energy = scene.bodies[2].velocity, scene.energy.kinetic
+          expect(energy):near(speed ^ 2 / 2, 1e-5 * speed ^ 2)
+          expect(struck:length()):near(speed * math.sqrt(1 - (offset / 0.3) ^ 2), 1e-3 * speed)
+        end
+      end
+    end
+  end
+end)
