@@ -13,8 +13,9 @@ namespace pantin {
 
 namespace {
 
-/// Part of the thickness by which shapes may overlap where one passes over the other: more than is left of what was pushed out.
-constexpr double passing_overlap = 5e-4;
+/// Part of the thickness by which shapes may overlap where one passes over the other: more than is left of what was pushed out;
+/// of two balls, which have no seams.
+constexpr double passing_overlap = 5e-4, passing_overlap_of_balls = 1e-8;
 /// Part of the thickness below which nothing nears.
 constexpr double no_approach = 1e-6;
 /// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met; of what rebounds, since what
@@ -33,7 +34,8 @@ struct Pair {
   const Pose& at_b;
   Ahead ahead;
   double thickness;  ///< [m]
-  double overlap() const { return passing_overlap * thickness; }
+  double overlap() const { return (are_balls() ? passing_overlap_of_balls : passing_overlap) * thickness; }
+  bool are_balls() const { return std::holds_alternative<BallShape>(a) && std::holds_alternative<BallShape>(b); }
   double held_already() const { return ahead.rebounds ? 0.0 : overlap(); }  ///< [m] what is open by less has its points
   double blow() const {
     return (ahead.rebounds ? least_blow_of_rebound : least_blow) * thickness;
