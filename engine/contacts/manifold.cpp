@@ -175,7 +175,7 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   if (there.count == 0) return;
   manifold = there;
   const ManifoldPoint& first = there.points[0];
-  if (-dot(first.normal, way_of(motion, pose, first.on_a)) > pair.blow()) manifold.meeting = pose;
+  if (-dot(first.normal, way_of(motion, pose, first.on_a)) > pair.blow()) manifold.meeting = {pose, part};
   move_back(pair, pose, manifold);
 }
 
@@ -247,7 +247,7 @@ void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifo
 }
 
 /// Where faces of what is no convex shape are met.
-std::optional<Pose> meeting_with_faces(const Pair& pair, Travel motion, std::span<const PartManifold> found) {
+std::optional<PoseAhead> meeting_with_faces(const Pair& pair, Travel motion, std::span<const PartManifold> found) {
   motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
   if (norm(motion.turn) > most_turn) return {};
   double first = infinity;
@@ -259,7 +259,7 @@ std::optional<Pose> meeting_with_faces(const Pair& pair, Travel motion, std::spa
       if (meeting && norm2(meeting->normal) > 0.0) first = std::fmin(first, meeting->part);
     }
   if (first == infinity) return {};
-  return moved(pair.at_a, motion, first);
+  return PoseAhead{moved(pair.at_a, motion, first), first};
 }
 
 /// Tells the points of planes and triangles that a motion meets, or else those of now.
@@ -270,18 +270,19 @@ void tell_foreseen(const Pair& pair, ManifoldSink& sink) {
   find_on_faces(pair, pair.at_a, now);
   if (now.behind) sink.tell_behind();
   const Travel motion = now.found.empty() ? Travel{} : sink.motion();
-  const std::optional<Pose> pose = meeting_with_faces(pair, motion, now.found);
-  if (pose) {
+  const std::optional<PoseAhead> meeting = meeting_with_faces(pair, motion, now.found);
+  if (meeting) {
+    const Pose& pose = meeting->pose;
     there.clear();
-    find_on_faces(pair, *pose, there);
+    find_on_faces(pair, pose, there);
     const bool strikes = std::any_of(there.found.begin(), there.found.end(), [&](const PartManifold& f) {
       const ManifoldPoint& p = f.manifold.points[0];
-      return std::fabs(p.gap) < pair.overlap() && -dot(p.normal, way_of(motion, *pose, p.on_a)) > pair.blow();
+      return std::fabs(p.gap) < pair.overlap() && -dot(p.normal, way_of(motion, pose, p.on_a)) > pair.blow();
     });
     if (strikes) {
       for (PartManifold& f : there.found) {
-        f.manifold.meeting = pose;
-        move_back(pair, *pose, f.manifold);
+        f.manifold.meeting = meeting;
+        move_back(pair, pose, f.manifold);
         sink.take(f.manifold, f.part);
       }
       return;

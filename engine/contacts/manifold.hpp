@@ -18,10 +18,16 @@ struct ManifoldPoint {
 /// Of a point of the ball about the origin of a that is within it: that does not turn away.
 inline constexpr std::uint32_t inner_ball_id = 0x7fffffffu;
 
+/// Where a motion within the step takes a to b, as if b did not move, and which part of the step that takes.
+struct PoseAhead {
+  Pose pose;
+  double part;
+};
+
 struct Manifold {
   std::uint32_t count = 0;
   std::array<ManifoldPoint, 6> points;
-  std::optional<Pose> meeting;  ///< where a motion within the step takes a to b, for whose points these are
+  std::optional<PoseAhead> meeting;  ///< for whose points these are
 };
 
 /// What is to be foreseen of a pair.

@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/rotation.hpp"
 #include "contacts/find_parts.hpp"
 #include "shapes/ray.hpp"
 
@@ -87,8 +88,9 @@ class Collector final : public ManifoldSink {
  private:
   static constexpr std::uint32_t none = ~0u;
 
-  /// Where it will be once a is there, b not moved.
-  void foresee(Contact& c, const ManifoldPoint& p, const Pose& there, bool in_point) const {
+  /// Where it will be once a is there and b has turned, but not moved.
+  void foresee(Contact& c, const ManifoldPoint& p, const PoseAhead& meeting, bool in_point) const {
+    const Pose& there = meeting.pose;
     const Pose& now = a_.now.pose;
     const Vec3 on_a = there.to_world(now.to_local(p.on_a));
     const double gap = p.gap - dot(p.normal, p.on_a - on_a);
@@ -96,6 +98,10 @@ class Collector final : public ManifoldSink {
     c.foreseen = true;
     c.arm_a = at - there.x + there.R * transposed_times(now.R, a_.now.arm);
     c.arm_b = at - b_.now.pose.x + b_.now.arm;
+    const Vec3 turn = turn_of(b_.geometry, b_.now.pose, b_.going.w) * (h_ * meeting.part);
+    if (norm2(turn) == 0.0) return;
+    const Quat q = quaternion_of(turn);
+    for (Vec3* v : {&c.normal, &c.arm_a, &c.arm_b}) *v = rotate(q, *v);
   }
   void set_like() {
     like_.key = {a_.key, b_.key, 0, 0};

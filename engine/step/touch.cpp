@@ -6,6 +6,7 @@
 #include "articulates/solve/tension.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find.hpp"
+#include "contacts/foresee_anew.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/motor_bounds.hpp"
@@ -228,6 +229,9 @@ void place_contacts(World& world) {
       note_put(world.contacts, world.steps);
       tell_box(world);
     }
+  } else {
+    make_ready(world);
+    foresee_anew(things_now(world, drifted), *world.contact_finder, world.contacts);
   }
   if (!world.trouble.empty()) return;
   TouchReport report;

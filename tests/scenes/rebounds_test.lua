@@ -151,3 +151,27 @@ test("balls that graze each other part as the closed form says", function()
     end
   end
 end)
+
+test("bodies that turn while they strike each other keep their angular momentum", function()
+  local pairs_ = {
+    { flat = false, a = [[shape = shape.box { size = vec(0.4, 0.3, 0.35), density = 500 }, at = vec(1.095, -0.102, -0.06),
+        orientation = quat(vec(-0.84, 1.03, -0.91):normalized(), 3.05), velocity = vec(-3.315, 0.308, 0)]],
+      b = [[shape = shape.cylinder(0.25, 0.08, { density = 500 }), at = vec(-1.1, 0.013, -0.02),
+        orientation = quat(vec(-0.66, 1.99, -1.25):normalized(), 3.76), velocity = vec(3.329, -0.039, 0)]], bound = 2e-2 },
+    { flat = true, a = [[shape = shape.box { size = vec(0.8, 0.1, 0.3), restitution = 1, friction = 0 }, at = vec(1, 0.05, 0),
+        orientation = quat(vec(0, 0, 1), 0.9), velocity = vec(-6, 0, 0), spin = vec(0, 0, 9)]],
+      b = [[shape = shape.box { size = vec(0.8, 0.1, 0.3), restitution = 1, friction = 0 }, at = vec(-1, 0, 0),
+        orientation = quat(vec(0, 0, 1), 2.1), velocity = vec(6, 0.4, 0), spin = vec(0, 0, -7)]], bound = 1e-9 },
+  }
+  for _, case in ipairs(pairs_) do
+    for _, hz in ipairs { 60, 240 } do
+      local scene = open_text(("scene.gravity, scene.step = vec(0, 0, 0), 1 / %d\n"):format(hz)
+        .. (case.flat and 'scene.plane = "xy"\n' or "") .. "scene:body { " .. case.a .. " }\nscene:body { " .. case.b .. " }")
+      scene:advance(0.001)
+      local start, size = scene.angular_momentum, 0
+      for _, body in ipairs(scene.bodies) do size = size + body.angular_momentum:length() + body.position:cross(body.momentum):length() end
+      scene:advance(0.9)
+      expect((scene.angular_momentum - start):length()):below(case.bound * size)
+    end
+  end
+end)

@@ -1,0 +1,90 @@
+#include "contacts/foresee_anew.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/stable.hpp"
+#include "contacts/bodies.hpp"
+#include "contacts/find_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double far = 0.01;  // of the thickness: by so much in the drift
+
+/// Sets how bodies go on that go otherwise. (slots) Which they are.
+std::vector<char> go_otherwise(const ThingsNow& p, ContactFinder& finder) {
+  std::vector<char> which(p.model.bodies.slots(), 0);
+  for (const std::uint32_t shape : finder.moving) {
+    const std::uint32_t body = p.model.shapes.at_slot(shape).body.slot - 1;
+    const ShapeNow& now = finder.shapes_now[shape];
+    if (which[body] || p.model.motion[body].articulate >= 0) continue;
+    const BodyState s = state_of(p.model, p.articulates, body, p.drifted);
+    const Going& foreseen = finder.going[body];
+    const double off = norm(s.v - foreseen.v) + norm(s.w - foreseen.w) * (norm(now.arm) + now.reach);
+    if (!(off * p.h > far * now.thickness)) continue;
+    finder.going[body] = {s.v, s.w, s.mass};
+    which[body] = 1;
+  }
+  return which;
+}
+
+/// [m] By how much the two near each other at a contact in the drift.
+double nearing(const ThingsNow& p, const ContactFinder& finder, const Contact& c) {
+  const auto velocity = [&](std::uint32_t body) {
+    const Going& going = finder.going[body];
+    return going.v + cross(going.w, c.at - centre_of(p.model, p.articulates, body, p.drifted));
+  };
+  const Vec3 of_b = c.body_b < 0 ? zero3() : velocity(static_cast<std::uint32_t>(c.body_b));
+  return -dot(c.normal, velocity(c.body_a) - of_b) * p.h;
+}
+
+/// [m] How far ahead a pair is to be looked for.
+double margin_ahead(const ThingsNow& p, const ContactSide& a, const ContactSide& b) {
+  const auto turning = [&](const ContactSide& side) {
+    return std::fmin(norm(side.going.w) * p.h, 2.0) * (norm(side.now.arm) + side.now.reach);
+  };
+  return margin_at_rest(a.now) + margin_at_rest(b.now) + norm(a.going.v - b.going.v) * p.h + turning(a) + turning(b);
+}
+
+}  // namespace
+
+void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts) {
+  constexpr double blow = 0.02;  // of the thickness
+  const auto rebounds = [](const Contact& c) { return c.restitution > 0.0; };
+  if (std::none_of(contacts.list.begin(), contacts.list.end(), rebounds)) return;
+  const std::vector<char> otherwise = go_otherwise(p, finder);
+  const auto goes_otherwise = [&](const Contact& c) {
+    return otherwise[c.body_a] || (c.body_b >= 0 && otherwise[static_cast<std::uint32_t>(c.body_b)]);
+  };
+  const auto strikes = [&](const Contact& c) {
+    return rebounds(c) && (c.foreseen || nearing(p, finder, c) > std::fmax(c.gap, blow * c.size));
+  };
+  FoundContacts found;
+  std::vector<Contact> before;
+  for (auto first = contacts.list.cbegin(); first != contacts.list.cend();) {
+    const auto last =
+        std::find_if(first, contacts.list.cend(), [&](const Contact& c) { return !c.key.same_shapes(first->key); });
+    const bool of_points =
+        is_point(first->body_a) || (first->body_b >= 0 && is_point(static_cast<std::uint32_t>(first->body_b)));
+    if (!of_points && goes_otherwise(*first) && std::any_of(first, last, strikes)) {
+      const auto [a, b] = std::pair(first->key.a, first->key.b);
+      const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
+      const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
+      add_contacts(p, side_a, side_b, p.model.layers.rule(of_a.layer, of_b.layer), margin_ahead(p, side_a, side_b),
+                   found);
+      before.insert(before.end(), first, last);
+    }
+    first = last;
+  }
+  if (before.empty()) return;
+  drop_at_hinges(p, finder.hinged, found.list);
+  keep_impulses(before, found.list);
+  std::erase_if(contacts.list, [&](const Contact& c) { return are_known(before, c.key); });
+  const auto middle = static_cast<std::ptrdiff_t>(contacts.list.size());
+  contacts.list.insert(contacts.list.end(), found.list.begin(), found.list.end());
+  merge_sorted(contacts.list.begin(), contacts.list.begin() + middle, contacts.list.end(), by_key);
+}
+
+}  // namespace pantin
