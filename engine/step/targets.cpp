@@ -5,6 +5,7 @@
 #include "base/functions.hpp"
 #include "base/rotation.hpp"
 #include "choreography/hands.hpp"
+#include "constraints/geometry.hpp"
 #include "constraints/kind.hpp"
 #include "edit/common.hpp"
 #include "forces/sleep.hpp"
@@ -37,6 +38,16 @@ double least_violation(const World& world, const Constraint& c) {
   const double size =
       c.progress() ? std::fmax(own, size_of(world, c.b)) : std::max({own, largest(c.position.now), size_of(c)});
   return (c.progress() ? 0.1 * world.settings.tolerance : 1e-14) * (size > 0.0 ? size : largest(position(world, c.a)));
+}
+
+/// A motor of an angle whose torque did not take it where it was to be goes on from where it is.
+void go_on_from_here(const World& world, Constraint& c) {
+  constexpr double there = 1e-9;  // [rad]
+  if (c.kind != ConstraintKind::motor || c.by_speed || std::isinf(c.max_torque)) return;
+  const double off = c.angle - c.number.now;
+  if (std::fabs(off - c.attract.excess) <= there) return;
+  c.attract.excess = off;
+  c.attract.excess_rate = dot(direction_of(world, c.body_a, c.axis_a), relative_spin(world, c)) - c.number.rate;
 }
 
 void draw_in(const World& world, Constraint& c, double h) {
@@ -179,6 +190,7 @@ void sample_targets(World& world) {
     if (!world.constraints.alive_at(s)) continue;
     const ConstraintId id = world.constraints.id_at(s);
     Constraint& c = world.constraints.at_slot(s);
+    go_on_from_here(world, c);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
     if (c.turn.of_time) move_orientation(world, id, c, time, h);

@@ -1,4 +1,5 @@
 // Our own matcher of patterns beside the string library's own, which no scene can reach.
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "bindings/lua_support.hpp"
@@ -116,6 +117,18 @@ TEST_CASE("patterns: every character is of the same classes as in the library") 
       same("find", "a" .. c .. "b", "[" .. c .. "]")
       same("find", "%b[" .. c .. "-" .. "]", "%" .. c)
     end)lua");
+}
+
+TEST_CASE("an empty text of C is an empty text of Lua, wherever it lies") {
+  lua::Runtime runtime({60.0, std::size_t{1} << 28}, lua::sandbox);
+  runtime.run([&](lua_State* state) {
+    const std::array<char, 256> empty{};  // Lua keeps texts of C by where they lie
+    for (const char& text : empty) {
+      lua_pushstring(state, &text);
+      CHECK(lua_rawlen(state, -1) == 0);
+      lua_pop(state, 1);
+    }
+  });
 }
 
 TEST_CASE("patterns: any pattern on any text gives what the library gives") {

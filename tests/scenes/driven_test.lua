@@ -143,3 +143,30 @@ test("an angle that is drawn in from its making on takes its energy from the tie
     expect(scene.error.worst_energy):below(1e-3)
   end
 end)
+
+test("a motor of an angle never turns harder than its torque, and comes to rest where it is to be", function()
+  for _, hz in ipairs { 60, 240, 1000 } do
+    for _, case in ipairs { { torque = 100, time_constant = 0.02 }, { torque = 10, time_constant = 0.1 } } do
+      local scene = open_text(([[
+        scene.step, scene.plane, scene.gravity = 1 / %d, "xy", vec(0, 0, 0)
+        local arm = scene:box { size = 1, density = 12 } -- 2 kg m2
+        local motor = scene:motor(arm, { angle = 0, max_torque = %g, time_constant = %g })
+        scene:at(0.5, function() motor.angle = 1 end)
+        local spin, hardest, farthest = 0, 0, 0
+        scene:on("step", function(dt)
+          hardest = math.max(hardest, math.abs(motor.torque.z), math.abs(2 * (arm.spin.z - spin) / dt))
+          farthest = math.max(farthest, motor.turned)
+          spin = arm.spin.z
+          scene:result("hardest", hardest)
+          scene:result("farthest", farthest)
+          scene:result("turned", motor.turned)
+        end)
+      ]]):format(hz, case.torque, case.time_constant))
+      scene:advance(4)
+      expect(scene:result "hardest"):below(1.01 * case.torque)
+      expect(scene:result "farthest"):below(1.6)
+      expect(scene:result "turned"):near(1, 1e-6)
+      expect(scene.error.energy):below(1e-3)
+    end
+  end
+end)

@@ -49,10 +49,11 @@ std::string with_nul_shown(std::string_view message) {
 
 const char weak_name = 0;  // of the text for `__mode` in the registry
 
-/// Lua's own text becomes another, at the place where Lua looks for it: a script's is then one like any other.
+/// Lua's own text becomes another, at the place where Lua looks for it: a script's is then one like any other. As text of C it is
+/// not empty: Lua would find it for "".
 void hide_mode(lua_State* state) {
   lua_pushliteral(state, "__mode");
-  std::memcpy(const_cast<char*>(lua_tostring(state, -1)), "\0weak\0", 6);
+  std::memcpy(const_cast<char*>(lua_tostring(state, -1)), "\1weak\1", 6);
   lua_rawsetp(state, LUA_REGISTRYINDEX, &weak_name);
 }
 

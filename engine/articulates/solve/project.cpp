@@ -321,7 +321,7 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
     if (at_distance) report.hand += restore_momenta(a, momenta);
     return;
   }
-  if (a.touches) let_overdriven_give_way(a, settings.full);
+  let_overdriven_give_way(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   set_velocity_constraints(a);
   bool reuse = may_use_newton_factor(a);
