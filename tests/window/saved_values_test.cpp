@@ -63,7 +63,7 @@ TEST_CASE("saved_values: a scene opens the next, and one that is not there is to
   CHECK(played.player->scene().title() == "second");
   for (int i = 0; i < 100 && !played.player->complaint(); i++) played.frames(1);
   REQUIRE(played.player->complaint());
-  CHECK_THAT(played.player->complaint()->text, Catch::Contains("none.lua: there is no such file"));
+  CHECK_THAT(played.player->complaint()->text, Catch::Contains("level2.lua:1: open: there is no file 'none.lua'"));
   played.frames(10);
   CHECK(played.player->complaint()->times == 1);
 }
