@@ -168,22 +168,28 @@ void leave_to_past(const std::vector<Contact>& list, std::vector<char>& used) {
   }
 }
 
+/// (contacts) Which are met; the others have no impulse.
+std::vector<char> begin_meeting(const Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
+  std::vector<char> used(contacts.list.size(), 0);
+  for (std::size_t k = 0; k < used.size(); k++) {
+    Contact& c = contacts.list[k];
+    c.place_index = -1;
+    if (c.from_before) c.at = met_at(model, articulates, c, drifted);
+    used[k] = c.from_before || c.gap <= (norm2(c.place_impulse) > 0.0 ? held_gap : closed_gap) * c.size;
+  }
+  leave_to_past(contacts.list, used);
+  for (std::size_t k = 0; k < used.size(); k++)
+    if (!used[k]) contacts.list[k].total = contacts.list[k].total_moment = zero3();
+  return used;
+}
+
 }  // namespace
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {
   take_back(space, workers, model, articulates, contacts, settings, sum);
   const double h = settings.h;
-  std::vector<char> used(contacts.list.size(), 0);
-  for (std::size_t k = 0; k < used.size(); k++) {
-    Contact& c = contacts.list[k];
-    c.place_index = -1;
-    if (c.from_before) c.at = met_at(model, articulates, c, settings.drifted);
-    used[k] = c.from_before || c.gap <= (norm2(c.place_impulse) > 0.0 ? held_gap : closed_gap) * c.size;
-  }
-  leave_to_past(contacts.list, used);
-  for (std::size_t k = 0; k < used.size(); k++)
-    if (!used[k]) contacts.list[k].total = contacts.list[k].total_moment = zero3();
+  const std::vector<char> used = begin_meeting(model, articulates, contacts, settings.drifted);
   const std::span<TouchIsland> islands =
       gather(space.meeting, space.index, workers, model, articulates, contacts, settings, used);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
