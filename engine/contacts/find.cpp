@@ -48,9 +48,7 @@ void add_from_before(const std::vector<Contact>& past, std::vector<Contact>& lis
   };
   for (Contact& c : list)
     if (std::binary_search(past.begin(), past.end(), c, is_before)) c.place_index = -1;
-  const auto middle = static_cast<std::ptrdiff_t>(list.size());
-  list.insert(list.end(), past.begin(), past.end());
-  merge_sorted(list.begin(), list.begin() + middle, list.end(), by_key);
+  add_sorted(list, past);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stable.hpp"
 #include "contacts/find.hpp"
 
 namespace pantin {
@@ -46,11 +47,28 @@ struct ContactSide {
   bool is_solid_point() const { return thing >= 0 && is_point(static_cast<std::uint32_t>(thing)); }
 };
 
+/// [m] How far a shape gets by turning with its body in a drift of h [s].
+inline double turning(const ShapeNow& now, const Going& going, double h) {
+  return std::fmin(norm(going.w) * h, 2.0) * (norm(now.arm) + now.reach);
+}
+
+/// [m] How far ahead two are to be looked for, that near each other by a way and turn by so much [m].
+inline double margin_ahead(const ShapeNow& a, const ShapeNow& b, Vec3 nearing, double turns) {
+  return margin_at_rest(a) + margin_at_rest(b) + norm(nearing) + turns;
+}
+
 /// Adds what is found of a pair, gaps up to `margin` [m], by key. `rule`: of their layers, or null.
 void add_contacts(const ThingsNow& where, const ContactSide& a, const ContactSide& b, const LayerRule* rule,
                   double margin, FoundContacts& found);
 
 inline bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
+
+/// Adds more, by key, to a list by key.
+inline void add_sorted(std::vector<Contact>& list, const std::vector<Contact>& more) {
+  const auto middle = static_cast<std::ptrdiff_t>(list.size());
+  list.insert(list.end(), more.begin(), more.end());
+  merge_sorted(list.begin(), list.begin() + middle, list.end(), by_key);
+}
 
 /// Whether two shapes may; `rule`: of their layers, or null.
 bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule);

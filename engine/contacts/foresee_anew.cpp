@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
 
@@ -40,14 +39,6 @@ double nearing(const ThingsNow& p, const ContactFinder& finder, const Contact& c
   return -dot(c.normal, velocity(c.body_a) - of_b) * p.h;
 }
 
-/// [m] How far ahead a pair is to be looked for.
-double margin_ahead(const ThingsNow& p, const ContactSide& a, const ContactSide& b) {
-  const auto turning = [&](const ContactSide& side) {
-    return std::fmin(norm(side.going.w) * p.h, 2.0) * (norm(side.now.arm) + side.now.reach);
-  };
-  return margin_at_rest(a.now) + margin_at_rest(b.now) + norm(a.going.v - b.going.v) * p.h + turning(a) + turning(b);
-}
-
 }  // namespace
 
 void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts) {
@@ -72,8 +63,9 @@ void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts)
       const auto [a, b] = std::pair(first->key.a, first->key.b);
       const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
       const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
-      add_contacts(p, side_a, side_b, p.model.layers.rule(of_a.layer, of_b.layer), margin_ahead(p, side_a, side_b),
-                   found);
+      const double turns = turning(side_a.now, side_a.going, p.h) + turning(side_b.now, side_b.going, p.h);
+      add_contacts(p, side_a, side_b, p.model.layers.rule(of_a.layer, of_b.layer),
+                   margin_ahead(side_a.now, side_b.now, (side_a.going.v - side_b.going.v) * p.h, turns), found);
       before.insert(before.end(), first, last);
     }
     first = last;
@@ -82,9 +74,7 @@ void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts)
   drop_at_hinges(p, finder.hinged, found.list);
   keep_impulses(before, found.list);
   std::erase_if(contacts.list, [&](const Contact& c) { return are_known(before, c.key); });
-  const auto middle = static_cast<std::ptrdiff_t>(contacts.list.size());
-  contacts.list.insert(contacts.list.end(), found.list.begin(), found.list.end());
-  merge_sorted(contacts.list.begin(), contacts.list.begin() + middle, contacts.list.end(), by_key);
+  add_sorted(contacts.list, found.list);
 }
 
 }  // namespace pantin

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
 #include "shapes/ray.hpp"
@@ -43,19 +42,16 @@ class Search {
     const Shape& s = p_.model.shapes.at_slot(shape);
     return s.body ? finder_.going[s.body.slot - 1].v * p_.h : zero3();
   }
-  double turning(std::uint32_t shape) const {
+  double turning_of(std::uint32_t shape) const {
     const Shape& s = p_.model.shapes.at_slot(shape);
-    if (!s.body) return 0.0;
-    const ShapeNow& now = finder_.shapes_now[shape];
-    const double arm = norm(now.arm) + now.reach;
-    return std::fmin(norm(finder_.going[s.body.slot - 1].w) * p_.h, 2.0) * arm;
+    return s.body ? turning(finder_.shapes_now[shape], finder_.going[s.body.slot - 1], p_.h) : 0.0;
   }
   void look_along(std::uint32_t shape, FoundContacts& found) {
     const Shape& of = p_.model.shapes.at_slot(shape);
     const ShapeNow& now = finder_.shapes_now[shape];
     if (of.sensor) return;
     std::vector<std::uint32_t> near;
-    finder_.broad_phase.along(widened(bounds_of(of.geometry, now.pose), margin_at_rest(now) + turning(shape)),
+    finder_.broad_phase.along(widened(bounds_of(of.geometry, now.pose), margin_at_rest(now) + turning_of(shape)),
                               way(shape), [&](std::uint32_t other) { near.push_back(other); });
     std::sort(near.begin(), near.end());
     for (const std::uint32_t other : near) add_pair(shape, other, found);
@@ -69,10 +65,10 @@ class Search {
     if (are_known(contacts_.list, {a, b, 0, 0}) || !met_.insert({a, b}).second) return;
     const ShapeNow &at = finder_.shapes_now[shape], &there = finder_.shapes_now[other];
     const Vec3 nearing = way(shape) - way(other);
-    const double turns = turning(shape) + turning(other);
+    const double turns = turning_of(shape) + turning_of(other);
     if (!would_meet(x.geometry, at, y.geometry, there, nearing, turns)) return;
-    const double margin = margin_at_rest(at) + margin_at_rest(there) + norm(nearing) + turns;
-    add_contacts(p_, side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule, margin, found);
+    add_contacts(p_, side_of(p_.model, finder_, a), side_of(p_.model, finder_, b), rule,
+                 margin_ahead(at, there, nearing, turns), found);
     if (y.body) push(y.body.slot - 1, finder_.going[x.body.slot - 1].v, finder_.going[y.body.slot - 1].w);
   }
   /// What turns far may be anywhere in the ball about it.
@@ -120,9 +116,7 @@ bool find_pushed(const ThingsNow& p, ContactFinder& finder, std::span<const Touc
   if (found.list.empty()) return false;
   std::sort(found.list.begin(), found.list.end(), by_key);
   drop_at_hinges(p, finder.hinged, found.list);
-  const auto middle = static_cast<std::ptrdiff_t>(contacts.list.size());
-  contacts.list.insert(contacts.list.end(), found.list.begin(), found.list.end());
-  merge_sorted(contacts.list.begin(), contacts.list.begin() + middle, contacts.list.end(), by_key);
+  add_sorted(contacts.list, found.list);
   return !found.list.empty();
 }
 

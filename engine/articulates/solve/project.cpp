@@ -296,7 +296,7 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
 
 namespace {
 
-/// What touches may stop a motor more suddenly than its force could make good: rows of limited force that would need more
+/// What touches, or arrives, may stop a motor more suddenly than its force could: rows of limited force that would need more
 /// than it in h [s] give way.
 void let_overdriven_give_way(Articulate& a, double h) {
   for (Condition& c : a.conditions) c.gives_way = false;
