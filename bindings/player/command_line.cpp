@@ -23,6 +23,8 @@ std::string check_ending(const std::string& path) {
       "(animation)");
 }
 
+std::string check_named(const std::string& path) { return path.empty() ? "a name must not be empty" : ""; }
+
 /// Whether all of it is a number within bounds.
 bool is_within(const std::string& value, double least, double most) {
   double x = 0.0;
@@ -128,6 +130,7 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(reduction_names), std::end(reduction_names))))
       ->type_name("NAME,...");
   app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
+      ->check(check_named)
       ->type_name("FILE");
   add_look(app, texts);
 }
@@ -151,7 +154,9 @@ void add_state(CLI::App& app, RunOptions& scene) {
   app.add_option("--save-at", scene.save_at, "Saves the state at this simulated time, s")
       ->check(check_number)
       ->type_name("T");
-  app.add_option("--save-to", scene.save_to, "File for that [the scene's name.pantin]")->type_name("FILE");
+  app.add_option("--save-to", scene.save_to, "File for that [the scene's name.pantin]")
+      ->check(check_named)
+      ->type_name("FILE");
 }
 
 /// `pantin test fuzz`.
@@ -295,6 +300,7 @@ void add_lammps(CLI::App& app, LammpsOptions& lammps, RunOptions& scene, Texts& 
       "Writes a scene of particles, springs and rigid bodies as LAMMPS runs it, on any machine: lmp -in in.scene");
   files->add_option("--lammps", lammps.folder, "Folder for in.scene, scene.data and tables of the laws")
       ->required()
+      ->check(check_named)
       ->type_name("FOLDER");
   add_for_lammps(*files, lammps, scene, texts);
   CLI::App* runs = app.add_subcommand("lammps",
@@ -315,6 +321,7 @@ void add_lammps(CLI::App& app, LammpsOptions& lammps, RunOptions& scene, Texts& 
       ->type_name("FILE.pantin");
   runs->add_flag("--overwrite", lammps.overwrite, "A state that is there already is lost; else that is refused");
   runs->add_option("--folder", lammps.folder, "Folder for LAMMPS' files and log [the state's name without its ending]")
+      ->check(check_named)
       ->type_name("FOLDER");
   add_for_lammps(*runs, lammps, scene, texts);
 }
@@ -333,6 +340,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
       ->type_name("DIR");
   play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
+      ->check(check_named)
       ->type_name("FILE");
   add_scene_options(*play, options.run, texts);
   add_untrusted(*play, options.run.untrusted);
@@ -357,6 +365,7 @@ void add_commands(CLI::App& app, Options& options, Texts& texts) {
       "Tells how exact a scene is with which step and integrator, and what processor time that costs on one thread");
   report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
+      ->check(check_named)
       ->type_name("PREFIX");
   add_settings(*report, texts);
   add_limits(*report, options.run, texts);

@@ -71,6 +71,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
     return;
   }
   target_ = followed(path_);
+  if (fs::exists(status) && target_.ends_with(".lua")) refuse(path_, "it is a script, which would be lost");
   int file = -1;
   for (int attempt = 0; attempt < 100 && file < 0; attempt++) {
     temporary_ = temporary_name(target_, attempt);

@@ -21,7 +21,8 @@ void keep_apart(const std::string& written, const std::string& read);
 /// it never is. A device or pipe is written to as it is.
 class Output {
  public:
-  /// Makes the temporary file, so that a place that cannot be written to is known before a run: throws UsageError.
+  /// Makes the temporary file, so that a place that cannot be written to, or where a script is, is known before a run:
+  /// throws UsageError.
   explicit Output(std::string path);
   ~Output();
   Output(Output&& other) noexcept;

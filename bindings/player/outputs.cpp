@@ -22,7 +22,10 @@ Outputs::Outputs(const RunOptions& options, const std::string& read) : rows_(opt
     if (path.ends_with(hdf5_ending)) need_hdf5();
     list.emplace_back(path);
   };
-  if (!options.record.empty()) keep_apart(options.record, read);
+  if (!options.record.empty()) {
+    keep_apart(options.record, read);
+    Output(options.record).drop();  // whether it can be written is known now
+  }
   for (const std::string& path : options.outputs) add(files_, path);
   if (!options.summary.empty()) add(summary_, options.summary);
   if (!options.save_to.empty()) add(state_, options.save_to);

@@ -75,12 +75,16 @@ TEST_CASE("outputs: what is read is not written, by no name of it, and no file t
   const std::string scene = swing + std::string("print 'opened'");
   write_file(folder / "in.lua", scene);
   write_file(folder / "a.csv", "before");
+  write_file(folder / "lib.lua", scene);
   REQUIRE(use(folder, {"run", "in.lua", "--until", "0.1", "--save-at", "0.05", "--save-to", "in.pantin"}).code == 0);
   const std::string state = read_file(folder / "in.pantin");
   std::filesystem::create_symlink("in.lua", folder.path / "in.csv");
   std::filesystem::create_hard_link(folder.path / "in.lua", folder.path / "in.json");
   std::filesystem::create_symlink("a.csv", folder.path / "b.csv");
   std::filesystem::create_symlink("new.csv", folder.path / "c.csv");
+  std::filesystem::create_symlink("lib.lua", folder.path / "lib.csv");
+  std::filesystem::create_symlink("lib.lua", folder.path / "lib.svg");
+  std::filesystem::create_symlink("lib.lua", folder.path / "lib.pantin");
   const auto before = folder.files();
   const std::vector<std::vector<std::string>> uses = {
       {"run", "in.lua", "--summary", "in.lua"},
@@ -94,6 +98,20 @@ TEST_CASE("outputs: what is read is not written, by no name of it, and no file t
       {"play", "in.lua", "--record", "x", "--summary", "./x", "--until", "0.1"},
       {"sweep", "in.lua", "--set", "mass=1,2", "--out", "in.csv"},
       {"plot", "a.csv", "--x", "time", "--y", "height", "--out", "b.csv"},
+      {"run", "in.lua", "--summary", "lib.lua"},
+      {"run", "in.lua", "--save-at", "0.05", "--save-to", "lib.lua"},
+      {"run", "in.lua", "--out", "lib.csv"},
+      {"play", "in.lua", "--record", "lib.lua", "--until", "0.1"},
+      {"report", "in.lua", "--out", "lib"},
+      {"sweep", "in.lua", "--set", "mass=1,2", "--out", "lib.csv"},
+      {"plot", "a.csv", "--x", "time", "--y", "height", "--out", "lib.svg"},
+      {"lammps", "in.lua", "--out", "lib.pantin", "--overwrite"},
+      {"run", "in.lua", "--summary", ""},
+      {"run", "in.lua", "--save-at", "0.05", "--save-to", ""},
+      {"play", "in.lua", "--record", "", "--until", "0.1"},
+      {"report", "in.lua", "--out", ""},
+      {"export", "in.lua", "--lammps", ""},
+      {"lammps", "in.lua", "--folder", ""},
   };
   for (const auto& arguments : uses) {
     const Finished done = use(folder, arguments);
@@ -102,6 +120,7 @@ TEST_CASE("outputs: what is read is not written, by no name of it, and no file t
     CHECK(done.out == "");
     CHECK(folder.files() == before);
     CHECK(read_file(folder / "in.lua") == scene);
+    CHECK(read_file(folder / "lib.lua") == scene);
     CHECK(read_file(folder / "in.pantin") == state);
     CHECK(read_file(folder / "a.csv") == "before");
   }

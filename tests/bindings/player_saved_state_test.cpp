@@ -77,6 +77,9 @@ for k, name in ipairs(names) do scene:at(0.1 * k, function() scene:save(name) en
 )");
   CHECK_THAT(complaint(folder, {"run", "names.lua", "--until", "1"}),
              Contains("names.lua:3: save: 'a.txt' must end in .pantin"));
+  write_file(folder / "empty.lua", "scene:at(0.1,\nfunction() scene:save('') end)");
+  CHECK_THAT(complaint(folder, {"run", "empty.lua", "--until", "1"}),
+             Contains("empty.lua:2: save: argument 1, the file, must not be empty"));
   write_file(folder / "over.lua", "scene:at(0.1, function() scene:save('old.pantin') end)");
   CHECK_THAT(complaint(folder, {"run", "over.lua", "--until", "1"}),
              Contains("over.lua:1: save: 'old.pantin' is a file that is no state; it is left as it is"));

@@ -174,6 +174,7 @@ int scene_save(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "save");
   require_unlocked(self.world, "save");
   const std::string name = check_text(state, 2, "save", "argument 1, the file,");
+  require(!name.empty(), "save: argument 1, the file, must not be empty");
   require(static_cast<bool>(self.script.options.save), "save: files are not written here");
   self.script.save_as = name;
   self.script.saves_at = where(state);
