@@ -35,6 +35,23 @@ test("words of a key's name may be joined, and a wrong name says what there is",
   expect(function() scene:hold("pad.left_x", 2) end):fails("must be from -1 to 1, got 2")
 end)
 
+test("a key that is waited for must be one that there is, by any name of it", function()
+  local scene = open_text [[
+    local down = 0
+    for _, name in ipairs { "left_shift", "keypad 4", "j", "é", "+", "ctrl+z", "ctrl+shift+left_ctrl" } do
+      scene:on("key", name, function() down = down + 1 scene:result("down", down) end)
+    end
+  ]]
+  for _, name in ipairs { "left shift", "keypad_4", "j", "é", "+" } do scene:hold(name) end
+  scene:step()
+  expect(scene:result("down")):equal(5)
+  local function waits_for(name) return function() open_text("\nscene:on('key', '" .. name .. "', print)") end end
+  expect(waits_for "spcae"):fails(":2: keys: there is no key 'spcae'. Did you mean 'space'?")
+  expect(waits_for "ctrl+delte"):fails("Did you mean 'delete'?")
+  expect(waits_for "Space"):fails("there is no key 'Space'")
+  expect(waits_for "pad.a"):fails("there is no key 'pad.a'")
+end)
+
 test("a gamepad's axes and buttons are at rest until they are held", function()
   local scene = open_text [[
     scene:on("step", function()

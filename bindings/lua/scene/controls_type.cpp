@@ -32,6 +32,16 @@ bool read_pad(const Self& self, const char* name) {
   return true;
 }
 
+std::string check_one_key(const std::string& name) {
+  const auto key = key_named(name);
+  const auto words = key_words();
+  require(key.has_value(), "keys: there is no key '", name, "'.",
+          suggestion(name, std::vector<std::string>(words.begin(), words.end())),
+          " There are letters and digits as they stand on a keyboard, ",
+          joined(std::vector<std::string>(words.begin(), words.end())));
+  return *key;
+}
+
 }  // namespace
 
 std::string check_control(const std::string& name) {
@@ -43,13 +53,13 @@ std::string check_control(const std::string& name) {
             joined(names));
     return name;
   }
-  const auto key = key_named(name);
-  const auto words = key_words();
-  require(key.has_value(), "keys: there is no key '", name, "'.",
-          suggestion(name, std::vector<std::string>(words.begin(), words.end())),
-          " There are letters and digits as they stand on a keyboard, ",
-          joined(std::vector<std::string>(words.begin(), words.end())));
-  return *key;
+  return check_one_key(name);
+}
+
+std::string check_key(const std::string& name) {
+  for (const std::string modifiers : {"ctrl+shift+", "ctrl+"})
+    if (name.starts_with(modifiers)) return modifiers + check_one_key(name.substr(modifiers.size()));
+  return check_one_key(name);
 }
 
 const Type& held_keys_type() {

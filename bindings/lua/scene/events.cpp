@@ -276,7 +276,10 @@ int scene_on(lua_State* state) {
           " after it");
   if (!one_key) return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
   std::string key = check_text(state, 3, "on", "argument 2, the key,");
-  if (name == "key_up") self.script.controls.insert(key = check_control(key));
+  if (name == "key")
+    key = check_key(key);
+  else
+    self.script.controls.insert(key = check_control(key));
   return subscribe(state, self.script, {0, name, check_function(state, 4, "on", "argument 3"), {}, {}, key});
 }
 

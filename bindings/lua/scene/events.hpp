@@ -8,6 +8,8 @@ namespace pantin::lua {
 
 /// The name of a key, or with "pad." of what a gamepad has, as the world knows it; throws Error where there is none.
 std::string check_control(const std::string& name);
+/// The same for a key that is pressed, which may be "ctrl+z" or "ctrl+shift+z".
+std::string check_key(const std::string& name);
 
 /// Tells the callbacks of the script what happened in the last step, and that a step begins.
 void run_behaviours(Script& script);
