@@ -56,12 +56,12 @@ std::string ProgressLine::time_left(double done) const {
   return left < 7200.0 ? fixed(left / 60.0, 0) + " min left" : fixed(left / 3600.0, 1) + " h left";
 }
 
-Progress::Progress(double from, double until) : from_(from), until_(until) {}
+Progress::Progress(double from) : from_(from) {}
 
-void Progress::show(double time) {
-  const double done = std::clamp((time - from_) / (until_ - from_), 1e-9, 1.0);
+void Progress::show(double time, double until) {
+  const double done = std::clamp((time - from_) / (until - from_), 1e-9, 1.0);
   if (!line_.is_due(done)) return;
-  std::string line = text(fixed(100.0 * done, 0), " %  ", fixed(time, 2), " of ", until_, " s  ",
+  std::string line = text(fixed(100.0 * done, 0), " %  ", fixed(time, 2), " of ", until, " s  ",
                           rounded((time - from_) / line_.seconds()), " x real time  ", line_.time_left(done));
   if (line_.moves()) {
     constexpr double width = 30.0;

@@ -34,11 +34,11 @@ class ProgressLine {
 /// Of what is simulated.
 class Progress {
  public:
-  Progress(double from, double until);  ///< [s] simulated
-  void show(double time);               ///< [s] simulated
+  explicit Progress(double from);        ///< [s] simulated
+  void show(double time, double until);  ///< [s] simulated
 
  private:
-  double from_, until_;
+  double from_;
   ProgressLine line_{std::chrono::seconds(1)};
 };
 

@@ -27,14 +27,14 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
   Interrupt interrupt;
   Replay replay(read_recording(file), options, home);
   for (const std::string& remark : replay.remarks()) say(remark);
-  Progress progress(0.0, replay.duration());
+  Progress progress(0.0);
   bool told = false;
   const auto past = [&] {
     const World& world = replay.scene().world();
     return options.until && world.time >= *options.until - 0.5 * world.settings.step;
   };
   while (!Interrupt::asked() && !past() && replay.step()) {
-    progress.show(replay.time());
+    progress.show(replay.time(), replay.duration());
     if (!replay.failure().empty()) say(text("as it was recorded: ", replay.failure()));
     if (!std::exchange(told, !replay.mismatch().empty()) && !replay.mismatch().empty()) say(replay.mismatch());
   }

@@ -25,6 +25,7 @@
 namespace pantin::player {
 namespace {
 
+constexpr double usual_duration = 10.0;        ///< [s] where neither the command line nor the scene says
 constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose frames programs interpolate
 
 /// Tells what ended amid an event as soon as it did.
@@ -45,24 +46,26 @@ class BrokenOff {
 
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
-void run_to(Scene& scene, double until, std::size_t memory_limit, After after) {
+void run_to_end(Scene& scene, const RunOptions& options, After after) {
   World& world = scene.world();
-  Progress progress(world.time, until);
+  double until = end_of(scene, options.until);
+  Progress progress(world.time);
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
   Headway headway(world, until);
   BrokenOff broken_off(scene);
-  MemoryLimit memory(memory_limit);
+  MemoryLimit memory(options.memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     try {
       scene.step();
     } catch (const Interrupted& error) { return say(error.what()); }
     broken_off.look();
     require(world.failure.empty(), world.failure);
+    if (const double end = end_of(scene, options.until); end != until) headway = Headway(world, until = end);
     headway.check(world);
     memory.check();
     after();
-    progress.show(world.time);
+    progress.show(world.time, until);
   }
 }
 
@@ -153,6 +156,10 @@ void check_probes(const RunOptions& options, const World& world) {
 
 }  // namespace
 
+double end_of(const Scene& scene, std::optional<double> wanted) {
+  return wanted.value_or(scene.duration().value_or(usual_duration));
+}
+
 int run(const RunOptions& options, const std::string& home) {
   std::string path = options.from.empty() ? find_scene(options.scene, home) : options.from;
   Interrupt interrupt;
@@ -169,7 +176,7 @@ int run(const RunOptions& options, const std::string& home) {
   SavesAt saves(options.save_at, *scene, outputs);
   std::string failure;
   try {
-    run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), options.memory_limit, [&] {
+    run_to_end(*scene, options, [&] {
       times.add(world);
       frames->add();
       saves.look();

@@ -1,12 +1,14 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "player/options.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
-/// [s] of a run when neither the command line nor the scene says.
-inline constexpr double usual_duration = 10.0;
+/// [s] at which it ends: as wanted, else as the scene says now.
+double end_of(const Scene& scene, std::optional<double> wanted);
 
 /// `pantin run`: a scene without a window, to its outputs. Returns the exit code.
 int run(const RunOptions& options, const std::string& home);

@@ -96,7 +96,7 @@ class Studying {
     study_.step = world.settings.step;
     study_.integrator = name_of(world.settings.integrator);
     study_.energy_return = world.settings.energy_return;
-    study_.wanted_until = options_.until.value_or(scene->duration().value_or(usual_duration));
+    study_.wanted_until = end_of(*scene, options_.until);
     require(study_.wanted_until >= coarsest * study_.step, "report: the end, ", study_.wanted_until,
             " s, must be at least ", coarsest, " steps of ", study_.step, " s away");
     stride_ = 1 + (world.points.ids().size() + world.bodies.ids().size()) / most_things;

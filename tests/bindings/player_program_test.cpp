@@ -203,10 +203,20 @@ TEST_CASE("program: the scene says when to end") {
   Folder folder;
   write_file(folder / "a.lua", "scene.duration = 0.25\nscene:particle {}\n");
   write_file(folder / "b.lua", "scene:particle {}\nscene:at(0.125, function() scene:finish() end)\n");
+  write_file(folder / "later.lua", "scene.duration = 0.25\nscene:at(0.125, function() scene.duration = 0.5 end)\n");
+  write_file(folder / "sooner.lua", "scene:at(0.125, function() scene.duration = 0.25 end)\n");
   REQUIRE(use(folder, {"run", "a.lua", "--summary", "a.json"}).code == 0);
   REQUIRE(use(folder, {"run", "b.lua", "--summary", "b.json"}).code == 0);
   CHECK(nlohmann::json::parse(read_file(folder / "a.json"))["time"].get<double>() == Approx(0.25));
   CHECK(nlohmann::json::parse(read_file(folder / "b.json"))["time"].get<double>() == Approx(0.125).margin(1.0 / 240));
+  for (const auto& [name, end] : {std::pair("later", 0.5), {"sooner", 0.25}}) {
+    const std::string file = std::string(name) + ".lua", table = std::string(name) + ".csv";
+    REQUIRE(use(folder, {"run", file, "--summary", "s.json"}).code == 0);
+    CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["time"].get<double>() == Approx(end));
+    REQUIRE(use(folder, {"sweep", file, "--seeds", "1", "--out", table}).code == 0);
+    CHECK_THAT(read_file(folder / table), Contains("," + std::string(end == 0.5 ? "0.5" : "0.25") + ","));
+    CHECK(use(folder, {"run", file, "--until", "0.375"}).out.find("0.375") != std::string::npos);
+  }
 }
 
 TEST_CASE("program: what was set for the time at which the run ends is told to be undone") {

@@ -124,7 +124,7 @@ Given give(const LammpsOptions& options, const LammpsScene& wanted) {
   Given given;
   given.scene = open(wanted);
   const World& world = given.scene->world();
-  const double until = wanted.until.value_or(given.scene->duration().value_or(usual_duration));
+  const double until = end_of(*given.scene, wanted.until);
   const double steps = std::round((until - world.time) / world.settings.step);
   if (until < world.time)
     throw UsageError(text("the end, ", until, " s, is before the scene's time, ", world.time, " s"));
@@ -215,7 +215,7 @@ class Check {
 class Listener {
  public:
   Listener(const Given& given, std::string folder)
-      : given_(given), folder_(std::move(folder)), check_(given), progress_(given.scene->world().time, given.until) {}
+      : given_(given), folder_(std::move(folder)), check_(given), progress_(given.scene->world().time) {}
 
   void hear(const std::string& line) {
     if (!begun_ && line.starts_with("pantin: energy ")) energy_ = std::strtod(line.c_str() + 15, nullptr);
@@ -235,7 +235,7 @@ class Listener {
     if (count < 3 || loop_ > 0.0) return;
     if (!has_first_) first_ = values[2], has_first_ = true;
     last_ = values[2];
-    progress_.show(given_.scene->world().time + step * given_.scene->world().settings.step);
+    progress_.show(given_.scene->world().time + step * given_.scene->world().settings.step, given_.until);
   }
 
   void look_at_end() { check_.look_at_end(energy_at_end_); }

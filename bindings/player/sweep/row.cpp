@@ -24,12 +24,13 @@ std::string result_cell(const SceneValue& value) {
 
 void run_to_end(Scene& scene, const SceneOptions& options, std::optional<double> wanted) {
   const World& world = scene.world();
-  const double until = wanted.value_or(scene.duration().value_or(usual_duration));
+  double until = end_of(scene, wanted);
   Headway headway(world, until);
   MemoryLimit memory(options.memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished()) {
     scene.step();
     require(world.failure.empty(), world.failure);
+    if (const double end = end_of(scene, wanted); end != until) headway = Headway(world, until = end);
     headway.check(world);
     memory.check();
   }
