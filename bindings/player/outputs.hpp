@@ -21,6 +21,7 @@ class Outputs {
 
   /// The files of an ending (".csv").
   std::vector<std::string> temporaries(const std::string& ending) const;
+  bool any() const { return !files_.empty() || !summary_.empty() || !state_.empty(); }
   bool has(const std::string& ending) const { return !temporaries(ending).empty(); }
   /// Films among them.
   std::vector<std::string> films() const;

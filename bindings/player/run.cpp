@@ -189,7 +189,8 @@ int run(const RunOptions& options, const std::string& home) {
   }
 
   if (saves.waits()) outputs.drop_state();
-  if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
+  if (Interrupt::asked() || !failure.empty())
+    say(text("stopped at ", world.time, " s", outputs.any() ? "; what there is by then is kept" : ""));
   outputs.write_tables(times, world);
   frames->finish(outputs);
   outputs.write_summary(*scene, failure.empty() ? scene->broken_off() : failure);

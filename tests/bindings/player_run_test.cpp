@@ -36,6 +36,8 @@ scene:field(scene, force.point { force = function(p, own, t) return vec(where(t 
     CHECK(summary["steps"] > 20);
     CHECK_THAT(summary["failure"].get<std::string>(), Contains(".lua:"));
     CHECK(!read_file(folder / "a.csv").empty());
+    const Finished bare = use(folder, {"run", std::string(scene) + ".lua", "--until", "1"});
+    CHECK_THAT(bare.err, Contains("stopped at 0.1") && !Contains("is kept"));
   }
 }
 
