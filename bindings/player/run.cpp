@@ -46,13 +46,13 @@ class BrokenOff {
 
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
-void run_to_end(Scene& scene, const RunOptions& options, After after) {
+void step_to_end(Scene& scene, const RunOptions& options, After after) {
   World& world = scene.world();
   double until = end_of(scene, options.until);
   Progress progress(world.time);
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
-  Headway headway(world, until);
+  Headway headway(world);
   BrokenOff broken_off(scene);
   MemoryLimit memory(options.memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
@@ -61,8 +61,8 @@ void run_to_end(Scene& scene, const RunOptions& options, After after) {
     } catch (const Interrupted& error) { return say(error.what()); }
     broken_off.look();
     require(world.failure.empty(), world.failure);
-    if (const double end = end_of(scene, options.until); end != until) headway = Headway(world, until = end);
-    headway.check(world);
+    until = end_of(scene, options.until);
+    headway.check(world, until);
     memory.check();
     after();
     progress.show(world.time, until);
@@ -176,7 +176,7 @@ int run(const RunOptions& options, const std::string& home) {
   SavesAt saves(options.save_at, *scene, outputs);
   std::string failure;
   try {
-    run_to_end(*scene, options, [&] {
+    step_to_end(*scene, options, [&] {
       times.add(world);
       frames->add();
       saves.look();

@@ -111,11 +111,11 @@ double diagonal_of(const Places& places) {
 double step_to(Scene& scene, double time) {
   const World& world = scene.world();
   const double start = processor_time();
-  Headway headway(world, time);
+  Headway headway(world);
   while (world.time < time - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     scene.step();
     require(world.failure.empty(), world.failure);
-    headway.check(world);
+    headway.check(world, time);
   }
   return processor_time() - start;
 }

@@ -6,14 +6,13 @@ namespace pantin {
 /// Notices a scene that goes back in time again and again, so that it never comes to its end.
 class Headway {
  public:
-  Headway(const World& world, double until);  ///< [s]
-  /// Call it after each step. Throws Error where the scene has come no farther for very long.
-  void check(const World& world);
+  explicit Headway(const World& world);
+  /// Call it after each step on the way to `until` [s]. Throws Error where the scene has come no farther for very long.
+  void check(const World& world, double until);
 
  private:
-  double until_;         ///< [s]
+  double begin_;         ///< [s]
   double farthest_;      ///< [s]
-  double longest_;       ///< [s] that are simulated without coming farther
   double wasted_ = 0.0;  ///< [s] simulated since it was farthest
 };
 

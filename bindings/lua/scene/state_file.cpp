@@ -247,13 +247,13 @@ struct WayCome {
 /// Throws Error where it leads elsewhere, and Interrupted where the program is to end.
 void come_again(Scene& scene, const WayCome& way) {
   const World& world = scene.world();
-  Headway headway(world, way.time);
+  Headway headway(world);
   while (world.steps < way.steps) {
     if (scripts_interrupted()) throw Interrupted(text("stopped at ", world.time, " s, on the way to the saved state"));
     require(world.time < way.time, "it is to be of ", way.time, " s, and does not take ", way.steps, " steps to there");
     scene.step();
     require(world.failure.empty(), world.failure);
-    headway.check(world);
+    headway.check(world, way.time);
   }
   require(state_hash(world) == way.hash, "it did not come to the same state again");
 }

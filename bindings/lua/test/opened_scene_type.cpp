@@ -31,10 +31,10 @@ int advance_opened(lua_State* state) {
   const double seconds = check_number(state, 2, "advance", "argument 1, the time,", "s");
   require(seconds >= 0, "advance: argument 1, the time, must be >= 0 s, got ", seconds);
   const double until = self.world.time + seconds;
-  Headway headway(self.world, until);
+  Headway headway(self.world);
   while (self.world.time < until - 0.5 * self.world.settings.step) {
     step_once(self.script);
-    headway.check(self.world);
+    headway.check(self.world, until);
   }
   return 0;
 }

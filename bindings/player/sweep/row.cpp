@@ -25,13 +25,13 @@ std::string result_cell(const SceneValue& value) {
 void run_to_end(Scene& scene, const SceneOptions& options, std::optional<double> wanted) {
   const World& world = scene.world();
   double until = end_of(scene, wanted);
-  Headway headway(world, until);
+  Headway headway(world);
   MemoryLimit memory(options.memory_limit);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished()) {
     scene.step();
     require(world.failure.empty(), world.failure);
-    if (const double end = end_of(scene, wanted); end != until) headway = Headway(world, until = end);
-    headway.check(world);
+    until = end_of(scene, wanted);
+    headway.check(world, until);
     memory.check();
   }
 }
