@@ -22,8 +22,9 @@ void check_sites(const Sites& s, const World& world) {
                s.nonconservative_force.size() == padded && s.particle.size() >= s.n && s.serial.size() >= s.n &&
                s.family.size() >= s.n && s.kin.size() >= s.n && s.names.size() == s.attributes.size());
   for (const auto& column : s.attributes) sound_forces(column.size() == padded);
+  sound_forces(all_known(s.particle, world.particles.slots()));
   for (std::size_t i = 0; i < s.n; i++)
-    sound_forces(s.particle[i] < world.particles.slots() && s.kin[i].begin <= s.bodies_of_hinges.size() &&
+    sound_forces(s.kin[i].begin <= s.bodies_of_hinges.size() &&
                  s.kin[i].count <= s.bodies_of_hinges.size() - s.kin[i].begin);
 }
 

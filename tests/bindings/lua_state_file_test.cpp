@@ -114,6 +114,14 @@ TEST_CASE("state_file: counters in locals, shared by functions and changed in mi
     scene:on("step", function() scene:result("x", told() + list.deep.at.x + #name + (other.self == other and 1 or 0)) end))");
 }
 
+TEST_CASE("state_file: what hangs from a place by a law goes on") {
+  check_goes_on(*open(R"(
+    local p = scene:particle { at = vec(0, 1, 0), mass = 1 }
+    scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 1, length = 2 })
+  )"),
+                20);
+}
+
 TEST_CASE("state_file: functions that were made while the scene ran go on with their own locals") {
   check_says_the_same(R"(
     local sum = 0
