@@ -122,6 +122,19 @@ TEST_CASE("state_file: what hangs from a place by a law goes on") {
                 20);
 }
 
+TEST_CASE("state_file: what a script holds of parameters, stats, ledger and keys goes on") {
+  check_says_the_same(R"(
+    local p = scene:particle { at = vec(0, 1, 0), mass = 1 }
+    local own = scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 1, length = 1 }).parameters
+    local stats, ledger, keys = scene.stats, scene.ledger, scene.keys
+    scene.store.own, scene.store.stats = own, stats
+    scene:on("step", function()
+      own.stiffness = own.stiffness + 1
+      scene:result("x", scene.store.own.stiffness + #tostring(stats.articulates) + ledger.fallback_step)
+      scene:result("same", scene.store.own == own and not keys.j and next(scene.store.own) == "length")
+    end))");
+}
+
 TEST_CASE("state_file: functions that were made while the scene ran go on with their own locals") {
   check_says_the_same(R"(
     local sum = 0

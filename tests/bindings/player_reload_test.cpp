@@ -148,16 +148,19 @@ TEST_CASE("reload: things keep their data, and the scene its store, as far as th
   const std::string text = R"(
     local a = scene:particle{ name = "a" }
     local b = scene:particle{}
+    local tie = scene:connect(a, b, force.spring{ stiffness = 0, length = 7 })
     a.data.hits, a.data.f = 0, function() return 7 end
     scene.store.list = { 0 }
     scene:button("hit", function()
       a.data.hits, a.data.mate, b.data.deep = 3, b, { { vec(1, 2, 3) } }
       scene.store.list[2], scene.store.who, scene.store.g = 5, a, print
+      a.data.tie, scene.store.stats = tie.parameters, scene.stats
     end)
     scene:probe("all", function()
       assert(a.data.f() == 7)
       if a.data.hits == 0 then return 0 end
       assert(a.data.mate == b and b.data.deep[1][1] == vec(1, 2, 3) and scene.store.who == a)
+      assert(a.data.tie.length == 7 and scene.store.stats.fallback_steps == 0)
       return a.data.hits + 10 * scene.store.list[2] + (scene.store.g and 100 or 0)
     end))";
   Played played(text);

@@ -50,3 +50,22 @@ test("scene.hash is the same for equal states, and another for others", function
   b:advance(step)
   expect(a.hash == b.hash):equal(false)
 end)
+
+test("scene.store may hold the parameters of a law, stats and the ledger", function()
+  local scene = open_text [[
+    local p = scene:particle { at = vec(0, 1, 0) }
+    local store = scene.store
+    store.own = scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 1, length = 1 }).parameters
+    store.stats, store.ledger = scene.stats, scene.ledger
+    scene:on("step", function()
+      store.own.stiffness = store.own.stiffness + 1
+      scene:result("stiffness", store.own.stiffness)
+    end)]]
+  scene:advance(0.1)
+  local before, kept = scene:result "stiffness", scene:snapshot()
+  scene:advance(0.1)
+  scene:restore(kept)
+  scene:step()
+  expect(scene:result "stiffness"):equal(before + 1)
+  expect(function() open_text "\nscene.stats.points = 3" end):fails ":2: scene: stats can be read, not written"
+end)

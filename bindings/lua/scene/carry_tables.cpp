@@ -4,6 +4,7 @@
 
 #include "lua/scene/scene_type.hpp"
 #include "lua/thing/handles.hpp"
+#include "lua/thing/law_parameters.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/copies.hpp"
 
@@ -101,8 +102,18 @@ class Copier {
     lock(to_, message);
   }
 
+  bool push_parameters(const Ref& of) {
+    const auto id = counterpart(of.thing);
+    if (!id) return false;
+    push_thing(to_, script_, *id);
+    push_law_parameters(to_, *to_ref(to_, -1));
+    lua_remove(to_, -2);
+    return true;
+  }
+
   bool push_table(int index) {
     if (is_locked(from_, index)) return push_locked(index), true;
+    if (const Ref* thing = thing_of_parameters(from_, index)) return push_parameters(*thing);
     if (lua_getmetatable(from_, index)) return lua_pop(from_, 1), false;
     if (lua_rawgetp(to_, copies_, lua_topointer(from_, index)) != LUA_TNIL) return true;
     lua_pop(to_, 1);

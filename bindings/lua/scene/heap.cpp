@@ -4,6 +4,7 @@
 
 #include "lua/law/force_library.hpp"
 #include "lua/scene/events.hpp"
+#include "lua/thing/law_parameters.hpp"
 #include "lua/thing/shape_options.hpp"
 #include "lua/thing/shape_type.hpp"
 #include "lua/thing/structure_type.hpp"
@@ -121,6 +122,8 @@ void note_permanents(lua_State* state) {
   const int names = lua_gettop(state);
   lua_pushglobaltable(state);
   name_permanents(state, names, "_G");
+  push_law_parameters_type(state);
+  name_permanents(state, names, "parameters!");
   lua_rawsetp(state, LUA_REGISTRYINDEX, &permanents_key);
 }
 

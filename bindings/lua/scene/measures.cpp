@@ -1,7 +1,4 @@
 // Numbers about the whole scene or a set of things, as Lua reads them.
-#include <algorithm>
-#include <cstring>
-
 #include "choreography/choreography.hpp"
 #include "lua/scene/touch_methods.hpp"
 #include "lua/thing/fields.hpp"
@@ -14,37 +11,13 @@
 namespace pantin::lua {
 namespace {
 
-/// Answers t[old] with t[now], and says once what the name is now. Upvalues: the world, the two names.
-int read_old_name(lua_State* state) {
-  const char* old = lua_tostring(state, lua_upvalueindex(2));
-  if (lua_type(state, 2) != LUA_TSTRING || std::strcmp(lua_tostring(state, 2), old) != 0) return 0;
-  const char* now = lua_tostring(state, lua_upvalueindex(3));
-  World& world = *static_cast<World*>(lua_touserdata(state, lua_upvalueindex(1)));
-  const std::string notice = text("'", old, "' is called '", now, "' now");
-  const auto is_it = [&](const LogLine& line) { return line.text == notice; };
-  if (std::none_of(world.log.begin(), world.log.end(), is_it)) log_line(world, "notice", notice);
-  lua_getfield(state, 1, now);
-  return 1;
-}
-
-/// The table on top of the stack answers to an old name of a field, too.
-void keep_old_name(const Self& self, const char* old, const char* now) {
-  lua_createtable(self.state, 0, 1);
-  lua_pushlightuserdata(self.state, &self.world);
-  lua_pushstring(self.state, old);
-  lua_pushstring(self.state, now);
-  lua_pushcclosure(self.state, read_old_name, 3);
-  lua_setfield(self.state, -2, "__index");
-  lua_setmetatable(self.state, -2);
-}
-
 void push_property(const Self& self, const char* name) {
   push_value(self.state, self.script, fields::read(self.world, {}, name));
 }
 
 void read_ledger(const Self& self) {
   push_property(self, "ledger");
-  keep_old_name(self, "safe_step", "fallback_step");
+  lock_copy(self.state, "scene", "ledger", false);
   keep_ledger(self.world);
 }
 
@@ -55,7 +28,7 @@ void read_contact_heat(const Self& self) {
 
 void read_stats(const Self& self) {
   push_property(self, "stats");
-  keep_old_name(self, "safe_steps", "fallback_steps");
+  lock_copy(self.state, "scene", "stats", false);
 }
 
 int scene_find(lua_State* state) {

@@ -6,6 +6,7 @@
 
 #include "base/interruptible.hpp"
 #include "lua/thing/handles.hpp"
+#include "lua/thing/law_parameters.hpp"
 #include "lua/value/copies.hpp"
 #include "lua/vm/runtime.hpp"
 
@@ -19,7 +20,7 @@ bool is_plain(lua_State* state, int index) {
     case LUA_TNUMBER:
     case LUA_TSTRING:
     case LUA_TBOOLEAN: return true;
-    case LUA_TTABLE: return is_locked(state, index);
+    case LUA_TTABLE: return is_locked(state, index) || thing_of_parameters(state, index);
     case LUA_TUSERDATA: break;
     default: return false;
   }

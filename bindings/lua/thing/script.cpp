@@ -1,5 +1,7 @@
 #include "lua/thing/script.hpp"
 
+#include <algorithm>
+
 #include "base/parallel.hpp"
 #include "lua/library/sandbox.hpp"
 
@@ -13,6 +15,10 @@ Script::Script(const SceneOptions& given)
   if (!options.saved) options.saved = std::make_shared<SavedValues>();
   if (given.read) runtime.reader = given.read;
   runtime.on_read = given.on_read;
+  runtime.notice = [this](const std::string& notice) {
+    const auto is_it = [&](const LogLine& line) { return line.text == notice; };
+    if (std::ranges::none_of(world.log, is_it)) log_line(world, "notice", notice);
+  };
   world.random = Random{world.settings.seed, 0};
   world.who = [] {
     const Runtime* running = Runtime::current();

@@ -1,7 +1,11 @@
 #include "lua/value/copies.hpp"
 
+#include <string_view>
+#include <utility>
+
 #include "lua/value/tostring.hpp"
 #include "lua/vm/guard.hpp"
+#include "lua/vm/runtime.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -22,6 +26,17 @@ void push_contents(lua_State* state, int index) {
   require(lua_istable(state, -1), "a copy has no contents");
 }
 
+/// What had another name once answers to it, and says so. The key is at 2, the contents are at -2.
+void push_by_old_name(lua_State* state) {
+  constexpr std::pair<std::string_view, const char*> names[] = {{"safe_step", "fallback_step"},
+                                                                {"safe_steps", "fallback_steps"}};
+  for (const auto& [old, now] : names) {
+    if (lua_tostring(state, 2) != old || lua_getfield(state, -2, now) == LUA_TNIL) continue;
+    if (const auto& notice = Runtime::of(state).notice) notice(text("'", old, "' is called '", now, "' now"));
+    return;
+  }
+}
+
 int locked_contents(lua_State* state) {
   push_contents(state, 1);
   return 1;
@@ -30,7 +45,7 @@ int locked_contents(lua_State* state) {
 int locked_index(lua_State* state) {
   push_contents(state, 1);
   lua_pushvalue(state, 2);
-  lua_rawget(state, -2);
+  if (lua_rawget(state, -2) == LUA_TNIL && lua_type(state, 2) == LUA_TSTRING) push_by_old_name(state);
   return 1;
 }
 

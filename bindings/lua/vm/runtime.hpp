@@ -74,19 +74,20 @@ class Runtime {
   Watch& watch() { return watch_; }
 
   FileReader reader = file_content;
-  std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
-  std::string name;                              ///< of the scene's file, as messages call it
-  std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
-  std::string home;                              ///< holds scripts/lib and scripts/behaviours
-  Random* random = nullptr;                      ///< source of math.random
-  lua_Integer shown = 0;                         ///< values that were given a number to be shown by
-  LawRun* law = nullptr;                         ///< the law whose function runs, or null
-  bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
-  std::vector<SourceText> chunks;                ///< texts that were loaded so far
-  std::map<std::string, std::string> files;      ///< that were read, by their paths
-  std::uint64_t traces = 0;                      ///< that were begun so far
-  std::string stale_message;                     ///< text of the last error that a StaleHandle became
-  std::string usage_message;                     ///< text of the last error that a UsageError became
+  std::function<void(const FileRead&)> on_read;    ///< told each file that is read; may be empty
+  std::function<void(const std::string&)> notice;  ///< told what a script should know once; may be empty
+  std::string name;                                ///< of the scene's file, as messages call it
+  std::string folder;                              ///< of the scene: where `require` looks first, and `read_table`
+  std::string home;                                ///< holds scripts/lib and scripts/behaviours
+  Random* random = nullptr;                        ///< source of math.random
+  lua_Integer shown = 0;                           ///< values that were given a number to be shown by
+  LawRun* law = nullptr;                           ///< the law whose function runs, or null
+  bool speaks_of_reset = false;                    ///< some file has the word: the start of the scene is to be kept
+  std::vector<SourceText> chunks;                  ///< texts that were loaded so far
+  std::map<std::string, std::string> files;        ///< that were read, by their paths
+  std::uint64_t traces = 0;                        ///< that were begun so far
+  std::string stale_message;                       ///< text of the last error that a StaleHandle became
+  std::string usage_message;                       ///< text of the last error that a UsageError became
   std::string
       broken_off;  ///< the first error of a removed thing that ended what an event did, or could ask; empty: none
 
