@@ -270,3 +270,13 @@ test("what an emitter on a turning body throws off leaves where and as fast as t
     expect(seen):above(40)
   end
 end)
+
+test("an error of a function of Pantin that is called back has the line where it was given", function()
+  for _, given in ipairs { 'scene:on("step", scene.finish)', "scene:at(0, scene.save)", "scene:after(0.01, p, p.push)",
+                           'scene:probe("x", scene.find)', "scene:every(0.01, scene.near)" } do
+    local scene = open_text("local p = scene:particle {}\n" .. given)
+    local good, why = pcall(function() scene:advance(0.1) end)
+    expect(good):equal(false)
+    expect(why:sub(1, 12)):equal("text.lua:2: ")
+  end
+end)

@@ -28,17 +28,23 @@ const std::string& Callback::place() const { return held_->place; }
 void Callback::call(const std::function<int(lua_State*)>& push_arguments,
                     const std::function<void(lua_State*)>& take) const {
   const std::shared_ptr<Held> alive = held_;  // the script may drop this callback while it runs
-  alive->runtime.run([&](lua_State* state) {
-    lua_rawgeti(state, LUA_REGISTRYINDEX, alive->reference);
-    const int arguments = push_arguments ? push_arguments(state) : 0;
-    lua_call(state, arguments, take ? 1 : 0);
-    if (!take) return;
-    try {
-      take(state);
-    } catch (const Error& error) {
-      throw ScriptError(alive->place.empty() ? error.what() : text(alive->place, ": ", error.what()));
-    }
-  });
+  const auto placed = [&](const char* message) {
+    return ScriptError(alive->place.empty() ? message : text(alive->place, ": ", message));
+  };
+  try {
+    alive->runtime.run([&](lua_State* state) {
+      lua_rawgeti(state, LUA_REGISTRYINDEX, alive->reference);
+      const int arguments = push_arguments ? push_arguments(state) : 0;
+      lua_call(state, arguments, take ? 1 : 0);
+      if (!take) return;
+      try {
+        take(state);
+      } catch (const Error& error) { throw placed(error.what()); }
+    });
+  } catch (const Interrupted&) { throw; } catch (const ScriptError& error) {
+    if (names_place(error.what())) throw;
+    throw placed(error.what());  // of a function of ours, which has no lines
+  }
 }
 
 double Callback::number(const std::string& what) const {
