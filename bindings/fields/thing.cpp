@@ -22,7 +22,7 @@ void with_rows(World_& world, const AnyId& thing, Use&& use) {
 
 Value read_name(const World& world, const AnyId& thing) {
   std::string name;
-  with_rows(world, thing, [&](const auto& rows, auto id) { name = rows[id].name; });
+  with_rows(world, thing, [&](const auto& rows, auto id) { name = rows.name(id); });
   return name;
 }
 
@@ -40,6 +40,7 @@ const Type& any_thing_type() {
         "name", "string", "", "what messages and scene:find call it (default `\"\"`)",
         [](const World& w, const AnyId& thing) { return read_name(w, thing); },
         [](World& w, const AnyId& thing, const std::string& v) { write_name(w, thing, v); });
+    name.of_dead = true;
     Property living = property<AnyId>("alive", "boolean", "", "whether it still exists",
                                       [](const World& w, const AnyId& thing) { return alive(w, thing); });
     living.of_dead = true;

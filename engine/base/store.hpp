@@ -18,6 +18,7 @@ struct Obituary {
   double time = 0.0;             ///< [s]
   std::string who;               ///< "scene.lua:12", "hand 1", "its lifetime", …
   std::uint32_t generation = 0;  ///< of the handle that died
+  std::string name = {};         ///< its own, where rows have one
   friend bool operator==(const Obituary&, const Obituary&) = default;
 };
 
@@ -80,6 +81,7 @@ class Store {
   void remove(Id id, Obituary obituary) {
     (void)(*this)[id];
     obituary.generation = id.generation;
+    if constexpr (requires(Row row) { row.name; }) obituary.name = rows_[id.slot - 1].name;
     if (obituaries_.size() < id.slot) obituaries_.resize(id.slot);
     obituaries_[id.slot - 1] = std::move(obituary);
     slots_[id.slot - 1].alive = false;
@@ -111,10 +113,15 @@ class Store {
     if (!generations_.known(id.slot - 1, id.generation)) return "this handle was never given out by this world";
     if (id.slot > slots_.size() || id.generation > slots_[id.slot - 1].generation)
       return "this was made after the moment that was restored, and is gone with what came after it";
-    if (id.slot > obituaries_.size() || obituaries_[id.slot - 1].generation != id.generation)
-      return "this was removed long ago, and its slot has been used again since";
-    const Obituary& o = obituaries_[id.slot - 1];
-    return text(o.what, " was removed at ", o.time, " s by ", o.who);
+    const Obituary* o = obituary(id);
+    if (!o) return "this was removed long ago, and its slot has been used again since";
+    return text(o->what, " was removed at ", o->time, " s by ", o->who);
+  }
+
+  /// The name of what lives or died; throws Error with its story where that is forgotten.
+  const std::string& name(Id id) const {
+    const Obituary* o = alive(id) ? nullptr : obituary(id);
+    return o ? o->name : (*this)[id].name;
   }
 
   std::size_t size() const { return size_; }
@@ -132,6 +139,12 @@ class Store {
 
  private:
   friend struct StateFields;  ///< of snapshot/state_fields.hpp
+  /// Null where there is none, or the slot was used again since.
+  const Obituary* obituary(Id id) const {
+    if (id.slot == 0 || id.slot > obituaries_.size()) return nullptr;
+    const Obituary& o = obituaries_[id.slot - 1];
+    return o.generation == id.generation ? &o : nullptr;
+  }
   struct Slot {
     bool alive = false;
     std::uint32_t generation = 0;

@@ -191,7 +191,7 @@ function quat_methods:inverse() end
 ---@class AnyThing
 ---@field name string what messages and scene:find call it (default `""`)
 ---@field alive boolean whether it still exists (read only)
----@field data table a table of yours, which goes with the thing (default `{}`) (read only)
+---@field data table a table of yours, which goes with the thing, and is there still while its end is told (default `{}`) (read only)
 local AnyThing = {}
 ---Takes it out of the world.
 ---```lua

@@ -271,6 +271,30 @@ test("what an emitter on a turning body throws off leaves where and as fast as t
   end
 end)
 
+test("the name and the data of what broke or was removed can be read while that is told", function()
+  local scene = open_text [[
+    local p, q = scene:particle { name = "p" }, scene:particle { name = "q", at = vec(1, 0, 0) }
+    local tie = scene:connect(p, q, force.spring { stiffness = 1, length = 1 }, { name = "tie", breaks_at = { length = 1.1 } })
+    local ring = scene:hinge(p, scene:body { mass = 1, inertia = vec(1, 1, 1), points = { vec(0, 0, 0) } }.points[1], { name = "ring" })
+    tie.data.worth, q.data.worth, ring.data.worth = 3, 4, 5
+    local told = ""
+    local function tell(thing)
+      scene:snapshot()
+      told = told .. thing.name .. thing.data.worth .. " "
+      scene:result("told", told)
+      assert(not thing.alive)
+    end
+    scene:on("broke", tell) scene:on("removed", tell) scene:on("cut", tell)
+    scene:at(0.05, function() q.velocity = vec(9, 0, 0) end)
+    scene:at(0.2, function() q:remove() ring:cut() end)
+    scene:at(0.3, function() assert(q.name == "q" and tie.name == "tie") print(q.data) end)
+  ]]
+  scene:advance(0.25)
+  expect(scene:result "told"):equal "tie3 q4 ring5 "
+  scene:advance(0.1)
+  expect(scene.log[#scene.log].text:find("particle 'q' was removed at 0.2", 1, true) ~= nil):is_true()
+end)
+
 test("an error of a function of Pantin that is called back has the line where it was given", function()
   for _, given in ipairs { 'scene:on("step", scene.finish)', "scene:at(0, scene.save)", "scene:after(0.01, p, p.push)",
                            'scene:probe("x", scene.find)', "scene:every(0.01, scene.near)" } do

@@ -319,6 +319,7 @@ void run_behaviours(Script& script) {
   const std::size_t known = script.world.notices.size();  // callbacks may add more, for the next step
   for (std::size_t i = 0; i < known; i++) {
     const Notice notice = script.world.notices[i];
+    script.told_of = notice.thing;
     if (notice.kind == Notice::Kind::button) {
       const auto found = script.button_functions.find(notice.text);
       if (found == script.button_functions.end()) continue;
@@ -333,6 +334,7 @@ void run_behaviours(Script& script) {
            [&](lua_State* state) { return push_notice(state, script, notice); });
     }
   }
+  script.told_of = {};
   tell(script, "step", {}, [&](lua_State* state) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;

@@ -1,5 +1,7 @@
 #include "lua/thing/handles.hpp"
 
+#include <set>
+
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/vm/guard.hpp"
@@ -164,12 +166,14 @@ void push_data(lua_State* state, const Ref& ref) {
 void sweep_data(lua_State* state, Script& script) {
   push_registry_table(state, &script.keys[kind_count], false);
   script.data_count = 0;
+  std::set<AnyId> untold;
+  for (const Notice& notice : script.world.notices) untold.insert(notice.thing);
   lua_pushnil(state);
   while (lua_next(state, -2)) {
     lua_pop(state, 1);
     const Ref* ref = to_ref(state, -1);
     require(ref != nullptr, "data belongs to no thing");
-    if (in_store(*ref)) {
+    if (in_store(*ref) || untold.contains(ref->thing)) {
       script.data_count++;
       continue;
     }

@@ -79,6 +79,7 @@ struct Script : ScriptHost, ScriptData {
   std::set<std::string> fixed;                       ///< settings that `--set` gave: what the file assigns is ignored
   std::set<std::string> controls;                    ///< of keys, gamepads and the mouse, that were read: the scene's
   std::uint64_t subscribed = 0;                      ///< serial of the last subscription
+  AnyId told_of;                                     ///< what the notice is of that is told now
   int telling = 0;                                   ///< calls that go through the subscriptions now
   std::shared_ptr<const ScriptSnapshot> start;       ///< before the first step, where a file speaks of `reset`
   std::string no_start;                              ///< why it could not be kept

@@ -19,7 +19,7 @@ struct Reading {
 std::vector<Reading> read_properties(const World& world, const AnyId& thing) {
   std::vector<Reading> readings;
   for (const fields::Property* property : fields::properties(fields::type_of(world, thing))) {
-    if (property->of_dead || std::string_view(property->type).ends_with("[]")) continue;
+    if (std::string_view(property->name) == "alive" || std::string_view(property->type).ends_with("[]")) continue;
     try {
       fields::Value value = fields::plain(property->read(world, thing));
       if (fields::is_plain(value)) readings.push_back({property, std::move(value)});
