@@ -177,7 +177,7 @@ test("a gyration takes as many sub-steps with a drift along the field or across 
     "scene.gravity = vec(0, 0, -10)",
     "p.velocity = vec(0, -99, 0) scene:field(scene, force.point { force = function() return vec(2000, 0, 0) end })",
   } do
-    expect(mean_sub_steps(turning .. more)):above(0.9 * alone)
+    expect((mean_sub_steps(turning .. more))):above(0.9 * alone)
   end
 end)
 

@@ -15,6 +15,7 @@ local wrong = {
   ["scene:on('step', f, 5)"] = "on: the function comes last",
   ["scene:on('key', 'a', f, 5)"] = "on: takes at most 3 arguments, got 4",
   ["scene:connect({ a, b }, force.damper { damping = 1 }, {}, 5)"] = "connect: its table of options comes last, got a number after it",
+  ["read_table('a.csv', 5)"] = "read_table: takes at most 1 argument, got 2",
   ["quat(vec(0, 0, 1), 1, 2)"] = "quat: takes at most 2 arguments, got 3",
   ["quat(vec(0, 0, 1), 1):inverse(1)"] = "quat:inverse: takes no arguments, got 1",
   ["quat(vec(0, 0, 1), 1):rotate(vec(0, 0, 1), 1)"] = "quat:rotate: takes at most 1 argument, got 2",
@@ -37,6 +38,22 @@ for code, message in pairs(wrong) do
     expect(function() open_text(things .. code) end):fails(message)
   end)
 end
+
+test("more than an expectation, a test or an opened scene takes is refused", function()
+  local function f() end
+  local function fails(call, message) expect(call):fails(message) end
+  fails(function() expect(("a"):gsub("a", "b")) end, "expect: takes at most 1 argument, got 2; a call that comes last gives all its values")
+  fails(function() expect(1):equal(1, 2) end, "equal: takes at most 1 argument, got 2")
+  fails(function() expect(1):near(1, 0.1, 2) end, "near: takes at most 2 arguments, got 3")
+  fails(function() expect(1):below(2, 3) end, "below: takes at most 1 argument, got 2")
+  fails(function() expect(1):above(0, 3) end, "above: takes at most 1 argument, got 2")
+  fails(function() expect(true):is_true("so") end, "is_true: takes no arguments, got 1")
+  fails(function() expect(f):fails("a", "b") end, "fails: takes at most 1 argument, got 2")
+  fails(function() test("a", f, 5) end, "test: takes at most 2 arguments, got 3")
+  fails(function() open("a.lua", {}, 5) end, "open: takes at most 2 arguments, got 3")
+  fails(function() open_text("", {}, 5) end, "open_text: takes at most 2 arguments, got 3")
+  expect("a", nil):equal("a")
+end)
 
 test("nil at the end of a call is nothing", function()
   open_text(things .. [[

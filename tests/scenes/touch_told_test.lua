@@ -432,8 +432,8 @@ test("a lever that is nailed within a wall is named with the depth, once; with a
   ]]
   local told, count = warnings(code, 480)
   expect(count):equal(1)
-  expect(told:find("'lever' overlaps ground 'wall' by 0.02 m since it was put there", 1, true)):above(0)
-  expect(told:find("scene:collide", 1, true)):above(0)
+  expect((told:find("'lever' overlaps ground 'wall' by 0.02 m since it was put there", 1, true))):above(0)
+  expect((told:find("scene:collide", 1, true))):above(0)
   expect(select(2, warnings(code .. "scene:collide('lever', 'wall', false)", 480))):equal(0)
 end)
 

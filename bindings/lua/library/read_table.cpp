@@ -77,6 +77,7 @@ struct Csv {
 };
 
 int read_table(lua_State* state) {
+  check_count(state, 1, "read_table");
   const std::string name = check_text(state, 1, "read_table", "argument 1, the file,");
   require(stays_inside(name), "read_table: '", name,
           "' must be a file below the scene's folder, not an absolute path or one with ..");

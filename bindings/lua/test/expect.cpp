@@ -12,8 +12,9 @@ namespace {
 
 const char expectation_key = 0;
 
-/// Pushes the value that is looked at, from the expectation at argument 1.
-void push_expected(lua_State* state) {
+/// The value that is looked at, from the expectation at argument 1, takes its place; `most` arguments come after it.
+void take_expected(lua_State* state, const char* call, int most) {
+  check_count(state, most, call, 2);
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_rawgeti(state, 1, 1);
   lua_replace(state, 1);
@@ -34,7 +35,7 @@ double number(lua_State* state, int index) {
 }
 
 int near(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "near", 2);
   const double tolerance = check_number(state, 3, "near", "argument 2, the tolerance,", "");
   const auto a = to_vec(state, 1), b = to_vec(state, 2);
   const double off = a && b ? norm(*a - *b) : std::fabs(number(state, 1) - number(state, 2));
@@ -44,31 +45,31 @@ int near(lua_State* state) {
 }
 
 int below(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "below", 1);
   require(number(state, 1) < number(state, 2), "expected a number below ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int above(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "above", 1);
   require(number(state, 1) > number(state, 2), "expected a number above ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int equal(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "equal", 1);
   require(lua_compare(state, 1, 2, LUA_OPEQ) != 0, "expected ", shown(state, 2), ", got ", shown(state, 1));
   return 0;
 }
 
 int is_true(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "is_true", 0);
   require(lua_isboolean(state, 1) && lua_toboolean(state, 1), "expected true, got ", shown(state, 1));
   return 0;
 }
 
 int fails(lua_State* state) {
-  push_expected(state);
+  take_expected(state, "fails", 1);
   const std::string wanted = check_text(state, 2, "fails", "argument 1");
   require(lua_isfunction(state, 1), "fails: expect must be given a function, got ", kind_of_value(state, 1));
   lua_pushvalue(state, 1);
@@ -79,6 +80,7 @@ int fails(lua_State* state) {
 }
 
 int expect(lua_State* state) {
+  check_count(state, 1, "expect");
   lua_settop(state, 1);
   lua_createtable(state, 1, 0);
   lua_pushvalue(state, 1);

@@ -43,6 +43,7 @@ TestFile& file_of(lua_State* state) { return *static_cast<TestFile*>(lua_touserd
 
 int declare_test(lua_State* state) {
   TestFile& file = file_of(state);
+  check_count(state, 2, "test");
   const std::string name = check_text(state, 1, "test", "argument 1, the name,");
   file.tests.push_back({name, where(state), check_function(state, 2, "test", "argument 2")});
   return 0;
@@ -81,6 +82,7 @@ void push_opened(lua_State* state, TestFile& file, std::unique_ptr<Scene> scene)
 
 int open_file(lua_State* state) {
   TestFile& file = file_of(state);
+  check_count(state, 2, "open");
   const std::string name = check_text(state, 1, "open", "argument 1, the path,");
   const SceneOptions options = options_with(state, 2, file.options);
   std::error_code error;
@@ -95,6 +97,7 @@ int open_file(lua_State* state) {
 
 int open_source(lua_State* state) {
   TestFile& file = file_of(state);
+  check_count(state, 2, "open_text");
   const std::string source = check_text(state, 1, "open_text", "argument 1");
   const SceneOptions options = options_with(state, 2, file.options);
   push_opened(state, file, open_scene_text(source, "text.lua", file.runtime.folder, options));

@@ -101,7 +101,8 @@ Callback check_function(lua_State* state, int index, std::string_view what, std:
 void check_count(lua_State* state, int most, std::string_view what, int first) {
   for (int i = lua_gettop(state); i >= most + first; i--)
     require(lua_isnil(state, i), what, ": takes ", most == 0 ? "no" : "at most " + std::to_string(most),
-            most == 1 ? " argument" : " arguments", ", got ", i - first + 1);
+            most == 1 ? " argument" : " arguments", ", got ", i - first + 1,
+            "; a call that comes last gives all its values, and in parentheses, (f()), the first");
 }
 
 KeysOfTable keys_of(lua_State* state, int index) {
