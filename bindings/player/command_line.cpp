@@ -124,10 +124,12 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->type_name("T");
   app.add_option("--reduce", scene.table.reductions,
-                 "With --every or --when: more columns of each probe, over the steps since the row before: "
-                 "least,largest,mean,rms")
+                 "With --every or --when: more columns of each probe, of the steps since the row before; of these: "
+                 "least largest mean rms")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(reduction_names), std::end(reduction_names))))
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(reduction_names), std::end(reduction_names)))
+                  .description(""))
       ->type_name("NAME,...");
   app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
       ->check(check_named)
@@ -147,6 +149,7 @@ void add_state(CLI::App& app, RunOptions& scene) {
                  "A row of .csv and .h5 also at each step where one of these probes changes; without --every there "
                  "alone, and at the first and the last")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("PROBE,...");
   app.add_option("--from", scene.from, "Goes on from a saved state, to the same bits; the scene is in it")
       ->check(CLI::ExistingFile)

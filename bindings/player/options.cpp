@@ -47,6 +47,11 @@ void check_outputs(const RunOptions& run, const Texts& texts, bool draws) {
   need("--view", !texts.views.empty(), ".png, .mp4, .gif or .webp");
 }
 
+void refuse_twice(const char* option, const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); name++)
+    if (std::find(names.begin(), name, *name) != name) throw UsageError(text(option, ": '", *name, "' is given twice"));
+}
+
 /// What texts say, and what belongs together.
 void settle(Options& options, const Texts& texts) {
   for (const std::string& setting : texts.settings) {
@@ -57,6 +62,8 @@ void settle(Options& options, const Texts& texts) {
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
   if (!texts.views.empty()) options.run.views = read_views(texts.views);
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
+  refuse_twice("--reduce", options.run.table.reductions);
+  refuse_twice("--when", options.run.table.when);
   if (!options.run.table.reductions.empty() && options.run.table.every <= 0.0 && options.run.table.when.empty())
     throw UsageError("--reduce needs --every, the time from row to row, or --when");
   options.sweep.until = options.run.until;

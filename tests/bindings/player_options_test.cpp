@@ -60,6 +60,16 @@ TEST_CASE("options: views are those that are on at first, with what is named and
   CHECK_THROWS_WITH(read({"run", "chain", "--view", "halos"}), Contains("there is no view 'halos'; there are: bodies"));
 }
 
+TEST_CASE("options: names in a list are told apart by commas, and none is given twice") {
+  const Options o = read({"run", "--out", "a.csv", "--when", "a,b", "--reduce", "mean", "--reduce", "rms", "chain"});
+  CHECK(o.run.table.when == std::vector<std::string>{"a", "b"});
+  CHECK(o.run.table.reductions == std::vector<std::string>{"mean", "rms"});
+  CHECK(o.run.scene == "chain");
+  for (const char* option : {"--reduce", "--when"})
+    CHECK_THROWS_WITH(read({"run", "chain", "--out", "a.csv", "--when", "rms", option, "rms", option, "rms"}),
+                      Contains(text(option, ": 'rms' is given twice")));
+}
+
 TEST_CASE("options: what is not said") {
   Options o = read({"play"});
   CHECK(o.command == Options::Command::play);
