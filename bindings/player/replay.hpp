@@ -43,6 +43,8 @@ class Replay {
   std::uint64_t agreed() const { return agreed_; }  ///< tick up to which all hashes did
   /// The error that the last step ended in, as it did when it was recorded; or empty.
   const std::string& failure() const { return failure_; }
+  /// Whether the end of the recording is missing, or could not be read.
+  bool is_cut_off() const { return !recording_.damage.empty(); }
   /// What may make it part: another version of the program; files that were changed since; and what could not be read.
   const std::vector<std::string>& remarks() const { return remarks_; }
 

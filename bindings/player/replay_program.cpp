@@ -18,7 +18,8 @@ int replay_in_window(const RunOptions& options, const std::string& file, const s
   if (window.display_lost()) say("the display went away: the replay ends here");
   const std::string& mismatch = window.replay().mismatch();
   if (!mismatch.empty()) say(mismatch);
-  return mismatch.empty() && window.failure().empty() && !window.display_lost() ? 0 : 1;
+  return mismatch.empty() && !window.replay().is_cut_off() && window.failure().empty() && !window.display_lost() ? 0
+                                                                                                                 : 1;
 }
 
 int replay_unseen(RunOptions options, const std::string& file, const std::string& home) {
@@ -41,7 +42,7 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
   if (!told && !replay.mismatch().empty()) say(replay.mismatch());
   say(text("replayed ", replay.tick(), " of ", replay.ticks(), " steps, to ", replay.scene().world().time,
            " s: ", replay.checked(), replay.mismatch().empty() ? " hashes, all as recorded" : " hashes as recorded"));
-  return replay.mismatch().empty() ? 0 : 1;
+  return replay.mismatch().empty() && !replay.is_cut_off() ? 0 : 1;
 }
 
 }  // namespace

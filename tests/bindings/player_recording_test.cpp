@@ -356,6 +356,11 @@ TEST_CASE("recording: the program plays one again") {
   const Finished held = use({"replay", "play.rec", "--headless", "--untrusted"});
   CHECK(held.code == 0);
   CHECK(held.err == good.err);
+  const std::string whole = read_file(folder / "play.rec");
+  write_file(folder / "cut.rec", whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+  const Finished cut = use({"replay", "cut.rec", "--headless"});
+  CHECK(cut.code == 1);
+  CHECK_THAT(cut.err, Contains("cut.rec: it has no end") && Contains("all as recorded"));
   const Finished none = use({"replay", "scene.lua"});
   CHECK(none.code == 1);
   CHECK_THAT(none.err, Contains("scene.lua:1: this is no recording"));
