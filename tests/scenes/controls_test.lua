@@ -148,6 +148,8 @@ test("a scene may open another when the step is done", function()
   expect(scene.finished):is_true()
   expect(function() open_text [[scene:open("../other.lua")]] end):fails("must be a file below the scene's folder")
   expect(function() open_text [[scene:open("level2")]] end):fails("must end in .lua")
+  local two = 'scene:open("touch_test.lua") scene:open("touch_test.lua")\nscene:open("names_test.lua")'
+  expect(function() open_text(two) end):fails("text.lua:2: open: the next scene is touch_test.lua already")
 end)
 
 test("the mouse is told what a test says, and without one there is none", function()

@@ -1,5 +1,8 @@
 // `scene`: the table of all that it can do.
 #include "lua/scene/scene_type.hpp"
+
+#include <filesystem>
+
 #include "edit/edit.hpp"
 #include "lua/scene/box_call.hpp"
 #include "lua/scene/choreography.hpp"
@@ -95,6 +98,8 @@ int scene_open(lua_State* state) {
   require(stays_inside(name) && lies_below(path, runtime.folder), "open: '", name,
           "' must be a file below the scene's folder");
   require(runtime.read(path, largest_source), "open: there is no file '", name, "' in the scene's folder");
+  require(self.script.next.empty() || self.script.next == path, "open: the next scene is ",
+          std::filesystem::path(self.script.next).filename().string(), " already");
   self.script.next = path;
   self.script.finished = true;
   log_line(self.world, "notice", text(where(state), ": the next scene is ", name));
