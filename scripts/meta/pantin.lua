@@ -890,7 +890,7 @@ local Mouse = {}
 
 ---Where the scene is seen from. A script may give it all at once, `scene.camera = { at = …, look_at = … }`, or change one of these at any time: the camera then goes where they say, in the time of `ease`, and between such changes it is whoever watches who moves it.
 ---@class Camera
----@field at vec? [m] where it is (default from where all is seen)
+---@field at vec? [m] where it is (default from where all is seen, as where it would be at `look_at`)
 ---@field look_at vec? [m] what is in the middle (default the middle of all)
 ---@field follow Thing? what it goes along with (default none); with `ease` it has it in the middle
 ---@field zoom number? [1] how many times larger all is seen than from there (default `1`)

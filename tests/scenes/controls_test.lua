@@ -228,6 +228,8 @@ test("a camera is given at once, or field by field", function()
     scene.camera.follow = nil
     assert(scene.camera.follow == nil)
   ]]
+  expect(function() open_text [[scene.camera = { at = vec(1, 0, 0), look_at = vec(1, 0, 0) }]] end)
+    :fails("text.lua:1: scene: camera: at and look_at must not be the same place")
   expect(function() open_text [[scene.camera.zoom = 0]] end):fails("zoom must be > 0")
   expect(function() open_text [[scene.camera.ease = -1]] end):fails("ease must be from 0 to 60 s, got -1")
   expect(function() open_text [[scene.camera.follow = 3]] end):fails("must be a thing of the scene")

@@ -48,6 +48,8 @@ void write_camera(const Self& s, int index) {
   CameraWish wish;
   wish.at = o.vector("at", "m");
   wish.look_at = o.vector("look_at", "m");
+  require(!wish.at || !wish.look_at || norm(*wish.at - *wish.look_at) > 0.0,
+          "scene: camera: at and look_at must not be the same place");
   wish.zoom = check_zoom(o.number("zoom", "").value_or(1.0));
   wish.ease = check_ease(o.number("ease", "s").value_or(0.0));
   if (o.has("follow")) {
@@ -64,7 +66,7 @@ const Type& camera_type() {
       "Where the scene is seen from. A script may give it all at once, `scene.camera = { at = …, look_at = … }`, or "
       "change one of these at any time: the camera then goes where they say, in the time of `ease`, and between such "
       "changes it is whoever watches who moves it.",
-      {{"at", "vec?", "m", "where it is (default from where all is seen)",
+      {{"at", "vec?", "m", "where it is (default from where all is seen, as where it would be at `look_at`)",
         [](const Self& s) { push_place(s, s.script.camera.at); },
         [](const Self& s, int i) { s.script.camera.at = check_place(s, i, "at"); }},
        {"look_at", "vec?", "m", "what is in the middle (default the middle of all)",
