@@ -172,6 +172,11 @@ struct Contacts {
   std::vector<TouchHeat> heat;      ///< where kept: since then, by pair, rising
 };
 
+/// Whether one of the two is a point.
+inline bool is_of_point(const Contact& c) {
+  return is_point(c.body_a) || (c.body_b >= 0 && is_point(static_cast<std::uint32_t>(c.body_b)));
+}
+
 /// [m] Where two surfaces meet, in the middle between them.
 inline Vec3 between(const Contact& c) {
   const bool in_point = is_point(c.body_a) && !(c.body_b >= 0 && is_point(static_cast<std::uint32_t>(c.body_b)));

@@ -6,6 +6,7 @@
 #include "base/stable.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
+#include "contacts/hidden.hpp"
 
 namespace pantin {
 
@@ -111,6 +112,7 @@ void find_all_contacts(const ThingsNow& p, ContactFinder& finder, Workers& worke
   FoundContacts& found = finder.found[0];
   if (!finder.solids.empty()) find_of_points(p, finder, found);
   drop_at_hinges(p, finder.hinged, found.list);
+  drop_hidden(p, finder, found.list);
   const std::vector<Contact> past = held_ahead(contacts.list);
   std::erase_if(contacts.list, [](const Contact& c) { return c.from_before; });
   keep_impulses(contacts.list, found.list);

@@ -5,6 +5,7 @@
 
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
+#include "contacts/hidden.hpp"
 
 namespace pantin {
 
@@ -57,9 +58,7 @@ void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts)
   for (auto first = contacts.list.cbegin(); first != contacts.list.cend();) {
     const auto last =
         std::find_if(first, contacts.list.cend(), [&](const Contact& c) { return !c.key.same_shapes(first->key); });
-    const bool of_points =
-        is_point(first->body_a) || (first->body_b >= 0 && is_point(static_cast<std::uint32_t>(first->body_b)));
-    if (!of_points && goes_otherwise(*first) && std::any_of(first, last, strikes)) {
+    if (!is_of_point(*first) && goes_otherwise(*first) && std::any_of(first, last, strikes)) {
       const auto [a, b] = std::pair(first->key.a, first->key.b);
       const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
       const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
@@ -75,6 +74,7 @@ void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts)
   keep_impulses(before, found.list);
   std::erase_if(contacts.list, [&](const Contact& c) { return are_known(before, c.key); });
   add_sorted(contacts.list, found.list);
+  drop_hidden(p, finder, contacts.list);
 }
 
 }  // namespace pantin

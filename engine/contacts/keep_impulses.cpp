@@ -29,6 +29,13 @@ const Contact* rebounding(std::span<const Contact> before, const Contact& now) {
   return best;
 }
 
+void add_part(const Contact& from, double part, Contact& to) {
+  to.place_impulse += from.place_impulse * part;
+  to.total += from.total * part;
+  to.place_moment += from.place_moment * part;
+  to.total_moment += from.total_moment * part;
+}
+
 /// Shares out the impulses of a point that is gone among those of the same two shapes, so that they act where it was, if that
 /// is between them: by the weights that are nearest to equal ones.
 void share_out(const Contact& from, std::span<Contact> points) {
@@ -43,13 +50,17 @@ void share_out(const Contact& from, std::span<Contact> points) {
   const auto weight = [&](const Contact& c) { return std::max(0.0, 1.0 / count + dot(slope, c.at - centre)); };
   double all = 0.0;
   for (const Contact& c : points) all += weight(c);
-  for (Contact& c : points) {
-    const double part = weight(c) / all;
-    c.place_impulse += from.place_impulse * part;
-    c.total += from.total * part;
-    c.place_moment += from.place_moment * part;
-    c.total_moment += from.total_moment * part;
-  }
+  for (Contact& c : points) add_part(from, weight(c) / all, c);
+}
+
+/// Of another shape of the same body, or of the world, the one that is where this was; nullptr if none.
+Contact* beside(std::vector<Contact>& list, const Contact& from) {
+  constexpr double same_place = 0.05;  // of the size
+  auto c = std::lower_bound(list.begin(), list.end(), ContactKey{from.key.a, 0, 0, 0},
+                            [](const Contact& one, const ContactKey& k) { return one.key < k; });
+  for (; c != list.end() && c->key.a == from.key.a; c++)
+    if (c->body_b == from.body_b && norm(c->at - from.at) < same_place * from.size) return &*c;
+  return nullptr;
 }
 
 }  // namespace
@@ -96,8 +107,12 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
     if (best != nullptr && !inherited[index_of(*best)]) inherit(now[i], *best);
   }
   for (const Contact& c : before) {
-    if (c.body_b < 0 || inherited[index_of(c)] || norm2(c.place_impulse) + norm2(c.total) == 0.0) continue;
-    if (const std::span<Contact> points = of_shapes(now, c); !points.empty()) share_out(c, points);
+    if (inherited[index_of(c)] || norm2(c.place_impulse) + norm2(c.total) == 0.0) continue;
+    if (const std::span<Contact> points = of_shapes(now, c); points.empty()) {
+      if (Contact* one = beside(now, c)) add_part(c, 1.0, *one);
+    } else if (c.body_b >= 0) {
+      share_out(c, points);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "contacts/bodies.hpp"
 #include "contacts/find_parts.hpp"
+#include "contacts/hidden.hpp"
 #include "shapes/ray.hpp"
 
 namespace pantin {
@@ -116,8 +117,10 @@ bool find_pushed(const ThingsNow& p, ContactFinder& finder, std::span<const Touc
   if (found.list.empty()) return false;
   std::sort(found.list.begin(), found.list.end(), by_key);
   drop_at_hinges(p, finder.hinged, found.list);
+  const std::size_t known = contacts.list.size();
   add_sorted(contacts.list, found.list);
-  return !found.list.empty();
+  drop_hidden(p, finder, contacts.list);
+  return contacts.list.size() > known;
 }
 
 }  // namespace pantin
