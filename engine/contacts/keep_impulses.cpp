@@ -7,6 +7,8 @@ namespace pantin {
 
 namespace {
 
+constexpr double keeps_up_to = 0.3;  // of the size
+
 /// Those of the same two shapes as this one.
 template <class Contacts>
 auto of_shapes(Contacts& list, const Contact& contact) {
@@ -53,14 +55,18 @@ void share_out(const Contact& from, std::span<Contact> points) {
   for (Contact& c : points) add_part(from, weight(c) / all, c);
 }
 
-/// Of another shape of the same body, or of the world, the one that is where this was; nullptr if none.
+/// Of other shapes of the same body, or of the world, the nearest that is near; nullptr if none.
 Contact* beside(std::vector<Contact>& list, const Contact& from) {
-  constexpr double same_place = 0.05;  // of the size
+  Contact* best = nullptr;
+  double least = keeps_up_to * from.size;
   auto c = std::lower_bound(list.begin(), list.end(), ContactKey{from.key.a, 0, 0, 0},
                             [](const Contact& one, const ContactKey& k) { return one.key < k; });
   for (; c != list.end() && c->key.a == from.key.a; c++)
-    if (c->body_b == from.body_b && norm(c->at - from.at) < same_place * from.size) return &*c;
-  return nullptr;
+    if (const double distance = norm(c->at - from.at); c->body_b == from.body_b && distance < least) {
+      best = &*c;
+      least = distance;
+    }
+  return best;
 }
 
 }  // namespace
@@ -93,10 +99,9 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
       orphans.push_back(i);
     }
   }
-  constexpr double near = 0.3;  // of the size
   for (const std::size_t i : orphans) {
     const Contact* best = nullptr;
-    double least = near * now[i].size;
+    double least = keeps_up_to * now[i].size;
     for (const Contact& c : of_shapes(before, now[i])) {
       const double distance = norm(c.at - now[i].at);
       if (inherited[index_of(c)] || distance >= least) continue;

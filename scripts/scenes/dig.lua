@@ -26,8 +26,7 @@ for i = 1, count do
   local what = i % 3 == 0 and shape.ball(size / 2, { friction = friction, density = 2000 })
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
     or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
-  local turned = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3))
-  stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = i % 3 ~= 1 and turned or nil,
+  stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = i % 3 ~= 1 and quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)) or nil,
                            at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 30), 0.2 * (i // 10 % 3) - 0.2) }
 end
 
