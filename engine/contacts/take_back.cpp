@@ -102,11 +102,16 @@ class TakeBack {
         island_.given.push_back(g);
     });
   }
+  /// Whether a contact touches still, and is no blow of free bodies: those are as fast then as they were.
+  bool touches_on(std::size_t k) const {
+    const Contact* c = now_[k].touching;
+    return c != nullptr && (c->rebound == 0.0 || c->body_b < 0 || island_.problem.is_tied());
+  }
   /// What contacts gave that touch no more: as they gave it.
   void lose_as_then() {
     for (std::size_t k = 0; k < now_.size(); k++) {
       const Placing& p = island_.placed[k];
-      if (now_[k].touching) continue;
+      if (touches_on(k)) continue;
       lose_as_then(p, 1.0);
       if (p.b < 0 && !p.foreseen && is_thin(p.a))
         carried_[static_cast<std::size_t>(p.a)] += cross(carried(p.a, p.core_a), p.impulse) * -1.0;
@@ -150,7 +155,7 @@ class TakeBack {
   /// What contacts gave that touch still: as they would give it now.
   void lose_as_now() {
     for (std::size_t k = 0; k < now_.size(); k++) {
-      if (!now_[k].touching) continue;
+      if (!touches_on(k)) continue;
       const Placing& p = island_.placed[k];
       const Vec3 normal = now_[k].touching->normal;
       const auto arm = [&](std::int32_t body) {

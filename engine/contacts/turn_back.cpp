@@ -14,7 +14,7 @@ namespace {
 /// Part of all moments of inertia below which a turn about an axis has no meaning.
 constexpr double least_for_turn = 1e-9;
 /// Part of the energy of their motion about their centre that turning things as one may have.
-constexpr double most_for_turn = 1e-2;
+constexpr double most_for_turn = 1e-2, most_of_rebounds = 0.2;
 
 /// The spin with this angular momentum, about the axes that it can have one about.
 Vec3 turn_for(const Model& model, const Mat3& inertia, Vec3 angular) {
@@ -39,6 +39,24 @@ double energy_about_centre(const std::vector<BodyState>& states, double mass) {
   for (const BodyState& s : states)
     sum += 0.5 * (s.mass * norm2(s.v - momentum / mass) + dot(s.w, own_inertia(s) * s.w));
   return sum;
+}
+
+/// Scales what of their motion is not that of one body so that all have `more` energy [J], and the same momenta. Returns the work of it [J].
+double scale_apart(Model& model, const Articulates& articulates, std::span<const std::uint32_t> things, double more,
+                   bool drifted) {
+  constexpr double least_scale = 0.5, most_scale = 2.0;
+  std::vector<BodyState> points;
+  for (const std::uint32_t thing : things)
+    points.emplace_back(state_of(model, articulates, thing, drifted)).inverse_inertia = zero3();
+  const MotionAsOne one = motion_as_one(model, points);
+  const auto apart = [&](const BodyState& s) { return s.v - one.velocity_at(s.x); };
+  double energy = 0.0;
+  for (const BodyState& s : points) energy += 0.5 * s.mass * norm2(apart(s));
+  if (!(energy + more > 0.0 && energy > 0.0)) return 0.0;
+  const double scale = std::clamp(std::sqrt(1.0 + more / energy), least_scale, most_scale);
+  for (std::size_t i = 0; i < points.size(); i++)
+    add_momenta(model, points[i], things[i], apart(points[i]) * (points[i].mass * (scale - 1.0)), zero3());
+  return energy * (scale * scale - 1.0);
 }
 
 /// About a centre.
@@ -134,11 +152,17 @@ double turn_back(Model& model, const Articulates& articulates, const TouchIsland
   for (std::size_t i = 0; i < count; i++)
     if (const std::size_t root = sets.find(i); !anchored[root] && norm2(sums[root]) > 0.0)
       things[root].push_back(island.things[i]);
+  const bool rebounds =
+      !island.problem.is_tied() && std::any_of(island.problem.contacts.begin(), island.problem.contacts.end(),
+                                               [](const IslandContact& c) { return c.restitution > 0.0; });
   double work = 0.0;
   for (std::size_t root = 0; root < count; root++) {
     if (things[root].empty()) continue;
     std::sort(things[root].begin(), things[root].end());
-    work += turn_as_one(model, articulates, things[root], sums[root], drifted, most_for_turn);
+    const double by =
+        turn_as_one(model, articulates, things[root], sums[root], drifted, rebounds ? most_of_rebounds : most_for_turn);
+    work += by;
+    if (rebounds) work += scale_apart(model, articulates, things[root], -by, drifted);
   }
   return work;
 }

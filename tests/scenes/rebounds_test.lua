@@ -175,3 +175,59 @@ test("bodies that turn while they strike each other keep their angular momentum"
     end
   end
 end)
+
+local balls_in_room = [[
+  scene.step, scene.gravity, scene.seed = 1 / $hz, vec(0, 0, 0), $seed
+  $room
+  local function some() return 2 * math.random() - 1 end
+  for i = 0, 9 do
+    scene:ball { radius = 0.2, at = vec(-1.5 + i % 4, -1 + i // 4, 0), velocity = vec(some(), some(), $deep * some()) * $speed,
+                 restitution = 1, friction = 0, density = 100 }
+  end
+]]
+local rooms = {
+  ["in a plane"] = [[
+    scene.plane = "xy"
+    scene:ground { shape = shape.line({ vec(-2, -2, 0), vec(2, -2, 0), vec(2, 2, 0), vec(-2, 2, 0), vec(-2, -2, 0) },
+                                      { restitution = 1, friction = 0 }) }
+  ]],
+  ["in space"] = [[
+    for axis = 1, 3 do
+      for side = -1, 1, 2 do
+        local at, size = { 0, 0, 0 }, { 6, 6, 6 }
+        at[axis], size[axis] = 2.5 * side, 1
+        scene:ground { at = vec(table.unpack(at)),
+                       shape = shape.box { size = vec(table.unpack(size)), restitution = 1, friction = 0 } }
+      end
+    end
+  ]],
+}
+
+for where, room in pairs(rooms) do
+  local deep = where == "in space" and 1 or 0
+  test("balls in a closed room keep their energy, though some meet several others in a step: " .. where, function()
+    for seed = 1, 4 do
+      expect(math.abs(lost(balls_in_room, { hz = 60, seed = seed, room = room, deep = deep, speed = 6 }, 10))):below(5e-3)
+      expect(math.abs(lost(balls_in_room, { hz = 240, seed = seed, room = room, deep = deep, speed = 6 }, 10))):below(5e-4)
+    end
+  end)
+end
+
+test("a crowd of balls and boxes that run into each other keeps its energy and its angular momentum", function()
+  for seed = 1, 5 do
+    local scene = open_text(("scene.seed = %d\n"):format(seed) .. [[
+      scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)
+      local function some() return 0.5 * (2 * math.random() - 1) end
+      for i = 0, 24 do
+        local x, y = 2 - i % 5, 2 - i // 5
+        local rest = { at = vec(-0.6 * x, -0.6 * y, 0.1 * some()), velocity = vec(x + some(), y + some(), some()),
+                       restitution = 1, friction = 0, density = 100 }
+        if i % 2 == 0 then rest.radius = 0.15 scene:ball(rest) else rest.size = vec(0.3, 0.3, 0.3) scene:box(rest) end
+      end
+    ]])
+    local energy, turning = scene.energy.total, scene.angular_momentum
+    scene:advance(3)
+    expect(math.abs(1 - scene.energy.total / energy)):below(1e-3)
+    expect((scene.angular_momentum - turning):length()):below(1e-9)
+  end
+end)
