@@ -68,13 +68,14 @@ struct ContactFinder {
   std::vector<ShapeNow> shapes_now;                           ///< (slots of shapes) when they moved last
   std::vector<PointNow> points_now;                           ///< (solids)
   std::vector<std::uint32_t> moving;                          ///< slots of shapes that move
-  std::vector<Going> going;             ///< (slots of bodies, then of points where some are solid)
-  std::vector<BroadPhase::Pair> pairs;  ///< of shapes that may touch
-  std::vector<FoundContacts> found;     ///< (blocks of pairs)
-  std::uint64_t sleep_changes = 0;      ///< of the contacts, when these were found
-  double ahead = 1.0;                   ///< of a step: what margins look ahead by, as far as a crowd lets them
-  bool changed = true;                  ///< an edit concerned what is in there
-  bool displaced = false;               ///< shapes were, a little, since they were put there
+  std::vector<Going> going;                  ///< (slots of bodies, then of points where some are solid)
+  std::vector<BroadPhase::Pair> pairs;       ///< of shapes that may touch
+  std::vector<BroadPhase::Pair> rebounding;  ///< those of them with restitution
+  std::vector<FoundContacts> found;          ///< (blocks of pairs)
+  std::uint64_t sleep_changes = 0;           ///< of the contacts, when these were found
+  double ahead = 1.0;                        ///< of a step: what margins look ahead by, as far as a crowd lets them
+  bool changed = true;                       ///< an edit concerned what is in there
+  bool displaced = false;                    ///< shapes were, a little, since they were put there
   bool asked_changed = false, asked_displaced = false;  ///< they were, when they were put there for a ray or the like
 };
 

@@ -47,9 +47,14 @@ struct ContactSide {
   bool is_solid_point() const { return thing >= 0 && is_point(static_cast<std::uint32_t>(thing)); }
 };
 
+inline double restitution_of(double a, double b, const LayerRule* rule) {
+  return rule && rule->restitution ? *rule->restitution : std::max(a, b);
+}
+
 /// [m] How far a shape gets by turning with its body in a drift of h [s].
 inline double turning(const ShapeNow& now, const Going& going, double h) {
-  return std::fmin(norm(going.w) * h, 2.0) * (norm(now.arm) + now.reach);
+  const double angle = std::fmin(norm(going.w) * h, 2.0);
+  return angle > 0.0 ? angle * (norm(now.arm) + now.reach) : 0.0;
 }
 
 /// [m] How far ahead two are to be looked for, that near each other by a way and turn by so much [m].

@@ -44,32 +44,28 @@ double nearing(const ThingsNow& p, const ContactFinder& finder, const Contact& c
 
 void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts) {
   constexpr double blow = 0.02;  // of the thickness
-  const auto rebounds = [](const Contact& c) { return c.restitution > 0.0; };
-  if (std::none_of(contacts.list.begin(), contacts.list.end(), rebounds)) return;
+  if (finder.rebounding.empty()) return;
   const std::vector<char> otherwise = go_otherwise(p, finder);
-  const auto goes_otherwise = [&](const Contact& c) {
-    return otherwise[c.body_a] || (c.body_b >= 0 && otherwise[static_cast<std::uint32_t>(c.body_b)]);
-  };
   const auto strikes = [&](const Contact& c) {
-    return rebounds(c) && (c.foreseen || nearing(p, finder, c) > std::fmax(c.gap, blow * c.size));
+    return c.foreseen || nearing(p, finder, c) > std::fmax(c.gap, blow * c.size);
   };
   FoundContacts found;
   std::vector<Contact> before;
-  for (auto first = contacts.list.cbegin(); first != contacts.list.cend();) {
-    const auto last =
-        std::find_if(first, contacts.list.cend(), [&](const Contact& c) { return !c.key.same_shapes(first->key); });
-    if (!is_of_point(*first) && goes_otherwise(*first) && std::any_of(first, last, strikes)) {
-      const auto [a, b] = std::pair(first->key.a, first->key.b);
-      const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
-      const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
-      const double turns = turning(side_a.now, side_a.going, p.h) + turning(side_b.now, side_b.going, p.h);
-      add_contacts(p, side_a, side_b, p.model.layers.rule(of_a.layer, of_b.layer),
-                   margin_ahead(side_a.now, side_b.now, (side_a.going.v - side_b.going.v) * p.h, turns), found);
-      before.insert(before.end(), first, last);
-    }
-    first = last;
+  for (const auto& [a, b] : finder.rebounding) {
+    const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
+    if (!otherwise[of_a.body.slot - 1] && !(of_b.body && otherwise[of_b.body.slot - 1])) continue;
+    const auto first = first_of_shapes(contacts.list, {a, b, 0, 0});
+    const auto last = std::find_if(first, contacts.list.cend(), [&](const Contact& c) {
+      return !c.key.same_shapes({a, b, 0, 0});
+    });
+    if (first != last && std::none_of(first, last, strikes)) continue;
+    const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
+    const double turns = turning(side_a.now, side_a.going, p.h) + turning(side_b.now, side_b.going, p.h);
+    add_contacts(p, side_a, side_b, p.model.layers.rule(of_a.layer, of_b.layer),
+                 margin_ahead(side_a.now, side_b.now, (side_a.going.v - side_b.going.v) * p.h, turns), found);
+    before.insert(before.end(), first, last);
   }
-  if (before.empty()) return;
+  if (before.empty() && found.list.empty()) return;
   drop_at_hinges(p, finder.hinged, found.list);
   keep_impulses(before, found.list);
   std::erase_if(contacts.list, [&](const Contact& c) { return are_known(before, c.key); });

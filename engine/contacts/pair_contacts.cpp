@@ -43,7 +43,7 @@ bool is_beside_rim(const Geometry& shape, const Pose& pose, Vec3 on_it, Vec3 out
 }
 
 double restitution_of(const ContactSide& a, const ContactSide& b, const LayerRule* rule) {
-  return rule && rule->restitution ? *rule->restitution : std::max(a.restitution, b.restitution);
+  return restitution_of(a.restitution, b.restitution, rule);
 }
 
 /// The points of one pair.

@@ -13,10 +13,18 @@ void choose_pairs(const Model& model, ContactFinder& finder) {
   finder.pairs.clear();
   for (const auto& [first, second] : finder.broad_phase.pairs()) {
     const Shape &x = model.shapes.at_slot(first), &y = model.shapes.at_slot(second);
-    if (!may_touch(finder, x, y, model.layers.rule(x.layer, y.layer))) continue;
+    const LayerRule* rule = model.layers.rule(x.layer, y.layer);
+    if (!may_touch(finder, x, y, rule)) continue;
     finder.pairs.push_back(x.body ? BroadPhase::Pair(first, second) : BroadPhase::Pair(second, first));
   }
   if (!std::is_sorted(finder.pairs.begin(), finder.pairs.end())) std::sort(finder.pairs.begin(), finder.pairs.end());
+  finder.rebounding.clear();
+  for (const auto& [a, b] : finder.pairs) {
+    const Shape &x = model.shapes.at_slot(a), &y = model.shapes.at_slot(b);
+    if (!x.sensor && !y.sensor &&
+        restitution_of(x.material.restitution, y.material.restitution, model.layers.rule(x.layer, y.layer)) > 0.0)
+      finder.rebounding.emplace_back(a, b);
+  }
 }
 
 /// How its surface moves on it [m/s], world axes.
