@@ -96,6 +96,9 @@ double rebound_of_tied(const Contact& from, const IslandContact& c, const Contac
   return from.restitution * std::sqrt(std::max(0.0, start * start + (end * end - start * start) * part));
 }
 
+/// Whether what nears now did not when the drift began: it has no approach then, or nothing held it.
+bool is_new_blow(const Contact& c) { return c.approach == 0.0 || norm2(c.place_impulse) == 0.0; }
+
 /// Whether ties bore anything of what `place` gave the contacts of an island, beyond round-off.
 bool ties_bore(const TouchIsland& island, const Articulates& articulates, const std::vector<Contact>& contacts) {
   double most = 0.0, given = 0.0;  // [N s]
@@ -200,12 +203,14 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     close_scalars(island, articulates, h);
     hold_ties(problem);
     bool rebounds = false;
+    double lifted = 0.0;  // [J] that `place` gave by holding above the surface what rebounds off it
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       c.other_start = to_frame(c, from.place_impulse);
-      c.rebound = from.body_b >= 0 ? 0.0 : problem.is_tied() ? rebound_of_tied(from, c, problem, h) : from.rebound;
-      rebounds = rebounds || from.rebound > 0.0 || (from.restitution > 0.0 && from.approach == 0.0);
+      if (from.body_b < 0 && problem.is_tied()) c.rebound = rebound_of_tied(from, c, problem, h);
+      if (from.body_b < 0 && from.rebound > 0.0) lifted -= dot(settings.gravity, from.place_impulse) * h;
+      rebounds = rebounds || from.rebound > 0.0 || (from.restitution > 0.0 && is_new_blow(from));
     }
     if (rebounds) {
       double done_before = 0.0;
@@ -213,7 +218,9 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       for (const std::uint32_t thing : by_contacts ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
           done_before += space.placing_work[i];
-      report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;
+      report.iterations +=
+          resolve_impacts(problem, slow_of(settings, problem), done_before, problem.is_tied() ? 0.0 : lifted)
+              .iterations;
     }
     solve_pass(contacts, island, Pass::meet, settings.search, report);
     keep_tie_impulses(articulates, island, Pass::meet);

@@ -105,7 +105,7 @@ class TakeBack {
   /// Whether a contact touches still, and is no blow of free bodies: those are as fast then as they were.
   bool touches_on(std::size_t k) const {
     const Contact* c = now_[k].touching;
-    return c != nullptr && (c->rebound == 0.0 || c->body_b < 0 || island_.problem.is_tied());
+    return c != nullptr && (c->rebound == 0.0 || island_.problem.is_tied());
   }
   /// What contacts gave that touch no more: as they gave it.
   void lose_as_then() {

@@ -52,6 +52,14 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
          (!island.is_tied() ? least_rise : least_of_tied) * before;
 }
 
+/// [J] Of the motion against each other of those that strike, by what they gave each other to rebound.
+double energy_along(const std::vector<IslandContact>& those, const std::vector<IslandContact>& struck) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < those.size(); k++)
+    sum -= 0.5 * struck[k].impulse[0] * those[k].u[0] / (1.0 + those[k].restitution);
+  return sum;
+}
+
 /// Strikes with the largest part of the rebounds that gains nothing beyond -`before` [J], or with none. Returns all that was gained.
 template <class Strike>
 double strike_without_gain(const ContactIsland& island, double before, Strike&& strike) {
@@ -94,7 +102,7 @@ void go_on(ContactIsland& island) {
 
 }  // namespace
 
-ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_before) {
+ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_before, double lifted) {
   ImpactReport report;
   std::vector<IslandContact> all;
   std::vector<IslandRoll> rolls;
@@ -111,8 +119,14 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_bef
     std::vector<IslandContact> those;
     for (const std::size_t k : now) those.push_back(island.contacts[k]);
     all.swap(island.contacts);
-    done_before = strike_without_gain(
-        island, done_before, [&](double part) { return strike(island, those, part, report.rounds == 0, report); });
+    const bool first = report.rounds == 0;
+    double speed = 1.0;
+    if (first && lifted != 0.0) {
+      strike(island, those, 1.0, first, report);
+      speed = std::sqrt(std::max(0.0, 1.0 - lifted / energy_along(those, island.contacts)));
+    }
+    done_before = strike_without_gain(island, done_before,
+                                      [&](double part) { return strike(island, those, part * speed, first, report); });
     for (std::size_t i = 0; i < now.size(); i++) all[now[i]].impact_impulse += island.contacts[i].impulse;
     all.swap(island.contacts);
     go_on(island);

@@ -12,6 +12,8 @@ struct ImpactReport {
 /// faster than `slow` [m/s] strike at once, others do not exist; what that sets moving strikes in the next round. Ties hold all
 /// the while. Velocities without impulses (v0, w0) are those after it. Contacts say `restitution` and `rebound`; bias is of belts
 /// alone. `done_before` [J] is what contacts did before: rounds that would add to it from nowhere, or leave it, rebound less.
-ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_before);
+/// `lifted` [J] is what the first round has to take of the motion against each other, for bodies are higher than they would be
+/// without what contacts did.
+ImpactReport resolve_impacts(ContactIsland& island, double slow, double done_before, double lifted);
 
 }  // namespace pantin
