@@ -1,6 +1,7 @@
 #include "contacts/held.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/pass_parts.hpp"
 #include "contacts/solve/ties.hpp"
@@ -25,12 +26,24 @@ void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
+/// Speeds of surfaces over those at the levers of rolling and spinning, at which these are solved; 1 without.
+double rolling_by_lever(const ContactIsland& island) {
+  double most = 1.0;
+  for (const IslandRoll& r : island.rolls)
+    for (int k = 0; k < 3; k++)
+      if (r.lever[k] > 0.0)
+        most =
+            std::fmax(most, island.bodies[static_cast<std::size_t>(island.contacts[r.contact].a)].reach / r.lever[k]);
+  return most;
+}
+
 bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsland& island, double h) {
   ContactIsland& problem = island.problem;
   start_meeting(island, contacts, articulates);
   set_scalars(island, articulates, h, h);
   hold_ties(problem);
   const double most = unmoved * problem.tolerance;
+  problem.tolerance /= rolling_by_lever(problem);
   if (solve_island(problem).residual > most) return false;
   return std::all_of(problem.bodies.begin(), problem.bodies.end(),
                      [&](const IslandBody& b) { return norm(b.v) <= most && norm(b.w) * b.reach <= most; });

@@ -107,3 +107,45 @@ for _, ground in ipairs {
     expect(pushed):near(0, 1e-6)
   end)
 end
+
+test("what has rolling and spinning friction comes to rest and falls asleep, alone and in a bin", function()
+  local alone = open_text([[
+    scene.step = 1 / 60
+    scene:floor { friction = 0.5, restitution = 0.3 }
+    for i = 1, 20 do
+      scene:ball { radius = 0.2, at = vec(3 * i, 0.3 + 0.03 * i, 0), velocity = vec(0.1 * i, 0, 0.05 * i), spin = vec(i, 2, 0.3),
+                   restitution = 0.3, friction = 0.5, rolling = 0.002, spinning = 0.002, density = 300 }
+    end
+  ]])
+  alone:advance(50)
+  expect(alone.stats.asleep):equal(20)
+  local bin = open_text([[
+    scene.step, scene.seed = 1 / 60, 23
+    scene:floor { friction = 0.5, restitution = 0.3 }
+    for side = -1, 1, 2 do
+      scene:ground { shape = shape.box { size = vec(0.2, 2, 3), friction = 0.5, restitution = 0.3 }, at = vec(1.4 * side, 1, 0) }
+      scene:ground { shape = shape.box { size = vec(3, 2, 0.2), friction = 0.5, restitution = 0.3 }, at = vec(0, 1, 1.4 * side) }
+    end
+    local function some() return 2 * math.random() - 1 end
+    for i = 0, 29 do
+      local rest = { at = vec(0.55 * (i % 4) - 0.8, 0.4 + 0.55 * (i // 12), 0.6 * (i // 4 % 3) - 0.6), restitution = 0.3,
+                     orientation = quat(vec(some(), some(), some()):normalized(), 3 * some()),
+                     friction = 0.5, rolling = 0.002, spinning = 0.002, density = 300 }
+      if i % 2 == 0 then rest.radius = 0.2 scene:ball(rest) else rest.size = vec(0.3, 0.3, 0.3) scene:box(rest) end
+    end
+  ]])
+  bin:advance(15)
+  expect(bin.stats.asleep):equal(30)
+end)
+
+test("a ball rolls on a slope that is steeper than its rolling friction by a thousandth, and sleeps on one that is less steep", function()
+  for _, steeper in ipairs { 1e-3, -1e-3 } do
+    local scene = open_text(("local slope = %.12g\n"):format(0.002 / 0.2 * (1 + steeper)) .. [[
+      scene.gravity = vec(9.81 * math.sin(math.atan(slope)), -9.81 * math.cos(math.atan(slope)), 0)
+      scene:floor { friction = 0.5 }
+      scene:ball { name = "ball", radius = 0.2, at = vec(0, 0.2, 0), friction = 0.5, rolling = 0.002, spinning = 0.002 }
+    ]])
+    scene:advance(10)
+    expect(scene.stats.asleep):equal(steeper > 0 and 0 or 1)
+  end
+end)
