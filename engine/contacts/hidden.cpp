@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "contacts/find_parts.hpp"
 #include "shapes/core.hpp"
 #include "shapes/distance.hpp"
 
@@ -46,6 +47,11 @@ struct Neighbour {
   }
 };
 
+/// Whether a thing, or the world (-1), may have several shapes.
+bool is_compound(const Model& model, std::int32_t thing) {
+  return thing < 0 || model.bodies.at_slot(static_cast<std::uint32_t>(thing)).shapes.size() > 1;
+}
+
 /// Of shapes that one shape has contacts with those that may cover each other.
 void find_neighbours(const ThingsNow& p, const ContactFinder& finder, std::span<const Contact> contacts,
                      std::vector<Neighbour>& neighbours) {
@@ -53,32 +59,57 @@ void find_neighbours(const ThingsNow& p, const ContactFinder& finder, std::span<
   for (std::size_t first = 0, last; first < contacts.size(); first = last) {
     const Contact& c = contacts[first];
     for (last = first; last < contacts.size() && contacts[last].key.b == c.key.b; last++) continue;
-    if (is_of_point(c)) continue;
-    const bool alone = c.body_b >= 0 && p.model.bodies.at_slot(static_cast<std::uint32_t>(c.body_b)).shapes.size() == 1;
+    if (is_of_point(c) || !is_compound(p.model, c.body_b)) continue;
     const Geometry& geometry = p.model.shapes.at_slot(c.key.b).geometry;
-    if (!alone && is_convex(geometry))
+    if (is_convex(geometry))
       neighbours.push_back({geometry, finder.shapes_now[c.key.b], contacts.subspan(first, last - first)});
   }
 }
 
-}  // namespace
-
-void drop_hidden(const ThingsNow& p, const ContactFinder& finder, std::vector<Contact>& list) {
+/// Keys of contacts, by key, with what is covered of shapes b.
+std::vector<ContactKey> hidden_of_b(const ThingsNow& p, const ContactFinder& finder, std::span<const Contact> list) {
   std::vector<Neighbour> neighbours;
-  std::vector<const Contact*> hidden;
-  const std::span<const Contact> all(list);
+  std::vector<ContactKey> hidden;
   for (std::size_t first = 0, last; first < list.size(); first = last) {
     for (last = first; last < list.size() && list[last].key.a == list[first].key.a; last++) continue;
-    find_neighbours(p, finder, all.subspan(first, last - first), neighbours);
+    find_neighbours(p, finder, list.subspan(first, last - first), neighbours);
     for (const Neighbour& one : neighbours)
       for (const Contact& c : one.contacts)
         if (std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& other) {
               return &other != &one && other.contacts[0].body_b == c.body_b && other.hides(one, c);
             }))
-          hidden.push_back(&c);
+          hidden.push_back(c.key);
+  }
+  return hidden;
+}
+
+/// Contacts with shapes a of bodies that have several, as those would be that found them as shapes b.
+std::vector<Contact> turned_round(const Model& model, const std::vector<Contact>& list) {
+  std::vector<Contact> turned;
+  for (const Contact& c : list) {
+    if (is_of_point(c) || c.body_b < 0 || !is_compound(model, static_cast<std::int32_t>(c.body_a))) continue;
+    Contact& t = turned.emplace_back(c);
+    std::swap(t.key.a, t.key.b);
+    t.body_a = static_cast<std::uint32_t>(c.body_b);
+    t.body_b = static_cast<std::int32_t>(c.body_a);
+    t.normal = -c.normal;
+    t.arm_b = c.arm_a;
+  }
+  std::sort(turned.begin(), turned.end(), by_key);
+  return turned;
+}
+
+}  // namespace
+
+void drop_hidden(const ThingsNow& p, const ContactFinder& finder, std::vector<Contact>& list) {
+  std::vector<ContactKey> hidden = hidden_of_b(p, finder, list);
+  for (ContactKey key : hidden_of_b(p, finder, turned_round(p.model, list))) {
+    std::swap(key.a, key.b);
+    hidden.push_back(key);
   }
   if (hidden.empty()) return;
-  std::erase_if(list, [&](const Contact& c) { return std::binary_search(hidden.begin(), hidden.end(), &c); });
+  std::sort(hidden.begin(), hidden.end());
+  std::erase_if(list, [&](const Contact& c) { return std::binary_search(hidden.begin(), hidden.end(), c.key); });
 }
 
 }  // namespace pantin

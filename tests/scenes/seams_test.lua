@@ -82,3 +82,19 @@ test("a tile that stands out of a floor stops what slides against it", function(
   scene:advance(2)
   expect(scene:find("slides").position.x):below(-0.19)
 end)
+
+test("what bounces over the seams of one body of flush boxes keeps its speed along them", function()
+  for number = 1, 8 do
+    local scene = open_text(filled([[
+      scene.step = 1 / 60
+      scene:floor { height = -1, friction = 1 }
+      local boxes = {}
+      for i = -4, 20 do boxes[#boxes + 1] = shape.box { size = vec(0.5, 1, 4), friction = 0, density = 1e5, at = vec(0.5 * i - 4, -0.5, 0) } end
+      scene:body { at = vec(4, 0, 0), shapes = boxes }
+      scene:body { name = "thrown", shape = $shape, at = vec(-1 + 0.07 * $number, 0.5, 0), velocity = vec(2, 0, 0),
+                   orientation = quat(vec(math.sin($number), 1, math.cos($number)):normalized(), 0.9 * $number) }
+    ]], { shape = number % 2 == 0 and shapes.hull or shapes.box, number = number, e = 0.5 }))
+    scene:advance(2)
+    expect(scene:find("thrown").velocity.x):near(2, 0.01)
+  end
+end)
