@@ -54,10 +54,10 @@ void foresee_anew(const ThingsNow& p, ContactFinder& finder, Contacts& contacts)
   for (const auto& [a, b] : finder.rebounding) {
     const Shape &of_a = p.model.shapes.at_slot(a), &of_b = p.model.shapes.at_slot(b);
     if (!otherwise[of_a.body.slot - 1] && !(of_b.body && otherwise[of_b.body.slot - 1])) continue;
-    const auto first = first_of_shapes(contacts.list, {a, b, 0, 0});
-    const auto last = std::find_if(first, contacts.list.cend(), [&](const Contact& c) {
-      return !c.key.same_shapes({a, b, 0, 0});
-    });
+    const ContactKey key{a, b, 0, 0};
+    const auto first = first_of_shapes(contacts.list, key);
+    const auto last =
+        std::find_if(first, contacts.list.cend(), [&](const Contact& c) { return !c.key.same_shapes(key); });
     if (first != last && std::none_of(first, last, strikes)) continue;
     const ContactSide side_a = side_of(p.model, finder, a), side_b = side_of(p.model, finder, b);
     const double turns = turning(side_a.now, side_a.going, p.h) + turning(side_b.now, side_b.going, p.h);
