@@ -1,5 +1,5 @@
 -- Stones in a bin, and a shovel that digs in them and tips them out beside it. Press "stop" and drag it yourself.
-local count = scene:param("count", 175, { min = 1, max = 1000, step = 1, help = "stones" })
+local count = scene:param("count", 150, { min = 1, max = 1000, step = 1, help = "stones" })
 local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of stones and shovel" })
 
 scene.title = "Dig"
@@ -26,7 +26,7 @@ for i = 1, count do
   local what = i % 3 == 0 and shape.ball(size / 2, { friction = friction, density = 2000 })
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
     or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
-  stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = i % 3 ~= 1 and quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)) or nil,
+  stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, i % 3 == 1 and 0.15 or 3)),
                            at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 30), 0.2 * (i // 10 % 3) - 0.2) }
 end
 
