@@ -54,7 +54,7 @@ struct Contact {
   std::int32_t place_index = -1;  ///< of what `place` gave it, among all of the pass, as long as it lasts; -1: nothing
   double approach = 0.0;          ///< [m/s] along the normal at the start of the step, below 0: nearing
   double gap_before = 0.0;        ///< [m] at the start of the step, 0 at least
-  double rebound = 0.0;           ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
+  double rebound = 0.0;           ///< [m/s] that `place` foresaw after the first impact; 0: it foresaw none
   double turning = 0.0;           ///< [m] by how much turning alone was foreseen to move it in the drift
   bool foreseen = false;          ///< it is where a motion within the step will take a to b:
   Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] at these arms impulses act then

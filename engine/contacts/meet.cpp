@@ -99,6 +99,14 @@ double rebound_of_tied(const Contact& from, const IslandContact& c, const Contac
 /// Whether what nears now did not when the drift began: it has no approach then, or nothing held it.
 bool is_new_blow(const Contact& c) { return c.approach == 0.0 || norm2(c.place_impulse) == 0.0; }
 
+/// [m/s²] By gravity and by laws that kick.
+Vec3 acceleration(const Model& model, std::uint32_t thing, const TouchSettings& settings,
+                  std::span<const BodyLoad> kicks, const ContactIsland& problem, const IslandContact& c) {
+  const std::size_t i = number_of(model, thing);
+  if (i >= kicks.size()) return settings.gravity;
+  return settings.gravity + kicks[i].force * problem.bodies[static_cast<std::size_t>(c.a)].inverse_mass;
+}
+
 /// Whether ties bore anything of what `place` gave the contacts of an island, beyond round-off.
 bool ties_bore(const TouchIsland& island, const Articulates& articulates, const std::vector<Contact>& contacts) {
   double most = 0.0, given = 0.0;  // [N s]
@@ -189,7 +197,7 @@ std::vector<char> begin_meeting(const Model& model, const Articulates& articulat
 }  // namespace
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
-          const TouchSettings& settings, TouchReport& sum) {
+          const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& sum) {
   take_back(space, workers, model, articulates, contacts, settings, sum);
   const double h = settings.h;
   const std::vector<char> used = begin_meeting(model, articulates, contacts, settings.drifted);
@@ -209,7 +217,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       IslandContact& c = problem.contacts[k];
       c.other_start = to_frame(c, from.place_impulse);
       if (from.body_b < 0 && problem.is_tied()) c.rebound = rebound_of_tied(from, c, problem, h);
-      if (from.body_b < 0 && from.rebound > 0.0) lifted -= dot(settings.gravity, from.place_impulse) * h;
+      if (from.body_b < 0 && from.rebound > 0.0)
+        lifted -= dot(acceleration(model, from.body_a, settings, kicks, problem, c), from.place_impulse) * h;
       rebounds = rebounds || from.rebound > 0.0 || (from.restitution > 0.0 && is_new_blow(from));
     }
     if (rebounds) {

@@ -58,7 +58,7 @@ void give_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay, after
 /// impacts, which rebound: 0 ≤ γ_n ⊥ n·v ≥ 0.
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
-          const TouchSettings& settings, TouchReport& report);
+          const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
 /// Displaces what overlaps by more than a little, momenta kept; `work` is that of displacing it.
 void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
               const TouchSettings& settings, TouchReport& report);

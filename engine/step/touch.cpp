@@ -281,7 +281,7 @@ void meet_contacts(World& world) {
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-       settings_of(world, true, world.stage.to, world.stage.to), report);
+       settings_of(world, true, world.stage.to, world.stage.to), kicks_of(world), report);
   post_contacts(world, report);
   count(world, report);
   if (world.contacts.watched) feel(world, world.articulates, world.contacts);

@@ -272,3 +272,19 @@ test("two boxes that meet head-on keep their angular momentum, and their energy 
     expect((scene.angular_momentum - turning):length()):below(1e-9 * scene.bodies[1].mass)
   end
 end)
+
+test("what a law pulls down rebounds to the height that it fell from, as under gravity", function()
+  local scene = open_text([[
+    scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)
+    scene:floor { restitution = 1, friction = 0 }
+    local ball = scene:ball { name = "ball", radius = 0.1, points = { centre = vec(0, 0, 0) }, at = vec(0, 1.1, 0), restitution = 1, friction = 0 }
+    scene:connect(ball.centre, vec(0, -1000, 0), force.spring { stiffness = ball.mass * 9.81e-3, length = 0.1 })
+  ]])
+  local ball, highest = scene:find "ball", 0
+  for _ = 1, 600 do
+    scene:step()
+    if scene.time > 8 then highest = math.max(highest, ball.position.y) end
+  end
+  expect(highest):near(1.1, 2e-3)
+  expect(scene.error.worst_energy):below(1e-5)
+end)
