@@ -27,6 +27,33 @@ namespace {
 
 bool nothing_touches(const World& world) { return world.shapes.empty() && !world.solids; }
 
+/// [rad/s] How fast two that meet within the step turn when they have rebounded, as if nothing else touched them, by how much
+/// of the energy that is to be kept; 0: they do not.
+double turn_of_rebound(const World& world, const Contact& c) {
+  if (c.restitution == 0.0 || is_of_point(c)) return 0.0;
+  struct Struck {
+    Vec3 turn = zero3(), by = zero3();   ///< [rad/s] what counts of it, and what 1 N s adds
+    double speed = 0.0, mobility = 0.0;  ///< [m/s] along the normal, and what 1 N s adds
+  };
+  const auto struck = [&](std::uint32_t body, std::uint32_t shape) -> Struck {
+    if (!world.shapes.alive_at(shape)) return {};
+    const Motion& m = world.motion[body];
+    const Shape& of = world.shapes.at_slot(shape);
+    const Pose pose = pose_of(world, of);
+    const Vec3 turn = angular_velocity(m), arm = c.at - m.x, lever = cross(arm, c.normal);
+    const Vec3 by = rotate(m.q, rotate(conjugate(m.q), lever) * inverse_inertia(m));
+    return {turn_of(of.geometry, pose, turn), turn_of(of.geometry, pose, by),
+            dot(m.p / m.mass + cross(turn, arm), c.normal), 1.0 / m.mass + dot(by, lever)};
+  };
+  const Struck a = struck(c.body_a, c.key.a);
+  const Struck b = c.body_b < 0 ? Struck{} : struck(static_cast<std::uint32_t>(c.body_b), c.key.b);
+  const double nears = b.speed - a.speed;
+  if (!(nears * world.settings.step > c.gap)) return 0.0;
+  const double impulse = (1.0 + c.restitution) * nears / (a.mobility + b.mobility);
+  const double kept = c.restitution * c.restitution;
+  return kept * kept * std::max(norm(a.turn + a.by * impulse), norm(b.turn - b.by * impulse));
+}
+
 }  // namespace
 
 void divide_for_contacts(World& world) {
@@ -36,9 +63,11 @@ void divide_for_contacts(World& world) {
   constexpr double most = 4.0;
   constexpr double most_whirl = 0.4;      // [rad] in a sub-step of what is tied, where it turns that fast,
   constexpr double most_whirling = 16.0;  // in no more of them
+  constexpr double most_rebound = 0.05;   // [rad] in a sub-step of what rebounds and loses nothing,
+  constexpr double most_rebounds = 16.0;  // in no more of them
   constexpr double most_swing = 0.3;      // [rad] of what touches, across what pulls it taut,
   constexpr double most_swings = 8.0;     // in no more of them
-  double wanted = 1.0, whirling = 1.0;
+  double wanted = 1.0, whirling = 1.0, rebounds = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
     const Motion& m = world.motion[body];
@@ -62,6 +91,7 @@ void divide_for_contacts(World& world) {
   const double before = world.sub_steps.count;
   const Contact* last = nullptr;
   for (const Contact& c : world.contacts.list) {
+    rebounds = std::max(rebounds, turn_of_rebound(world, c) * world.settings.step / most_rebound);
     wanted = std::max(wanted, before * std::sqrt(c.closed_beyond / most_missed));
     if (last && c.key.same_shapes(last->key)) continue;
     last = &c;
@@ -73,7 +103,8 @@ void divide_for_contacts(World& world) {
   for (const auto& articulate : world.articulates)
     if (articulate->touches) swings = std::max(swings, rate_of_tension(*articulate) * world.settings.step / most_swing);
   const auto count = static_cast<std::uint16_t>(
-      std::ceil(std::max({std::min(wanted, most), std::min(whirling, most_whirling), std::min(swings, most_swings)})));
+      std::ceil(std::max({std::min(wanted, most), std::min(whirling, most_whirling), std::min(rebounds, most_rebounds),
+                          std::min(swings, most_swings)})));
   world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
 }
 
