@@ -3,6 +3,10 @@
 //   y1 - c(u1) + κ n (n·f) = 0.
 // At the end of an open path the point is held there, as long as it would go on: where it is, and where its force would
 // move it to (Alart and Curnier 1991), tell, so that round-off of the position does not.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "model/path.hpp"
@@ -56,7 +60,10 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const double turned = turns ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * turned);
   c.C = outer(n, n) * kappa;
-  return std::fmax(norm(open - row.offset), std::fabs(along) * length_per_force(norm(row.f), displacement, kappa));
+  // Of a force along it that positions have no digits for, what it moves is all that counts.
+  const double unknown = 4.0 * std::numeric_limits<double>::epsilon() * norm(row.d1) / kappa, wrong = std::fabs(along);
+  const double as_long = length_per_force(norm(row.f), displacement, kappa);
+  return std::max({norm(open - row.offset), wrong * kappa, (wrong - unknown) * as_long});
 }
 
 void project_path(const Row& row, Condition& c, bool holds) {

@@ -138,9 +138,7 @@ double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
   for (const Condition& c : a.conditions) largest = std::fmax(largest, c.extent);
   goal.round_off = 8e-16 * largest;
   const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
-  // Short parts have little but round-off: forces that rows should not have count up to a thousand times what they move.
-  const double in_cut = a.effort.corners > 0 ? 500.0 * goal.round_off : 0.0;
-  goal.tolerance = std::max({wanted, goal.round_off, in_cut});
+  goal.tolerance = std::max(wanted, goal.round_off);
   return e;
 }
 
