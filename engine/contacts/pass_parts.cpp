@@ -120,17 +120,6 @@ namespace {
 
 constexpr double exact_enough = 100.0;  // tolerances
 
-/// Whether no body is much lighter than another: what acts on heavy ones would throw it about, were it not the same to the last digit.
-bool is_even(const ContactIsland& island) {
-  constexpr double most = 100.0;
-  double lightest = infinity, heaviest = 0.0;
-  for (const IslandBody& b : island.bodies) {
-    lightest = std::min(lightest, b.mass);
-    heaviest = std::max(heaviest, b.mass);
-  }
-  return heaviest <= most * lightest;
-}
-
 }  // namespace
 
 bool solve_pass(Contacts& contacts, TouchIsland& island, Pass pass, ContactSearch search, TouchReport& report) {

@@ -4,6 +4,7 @@
 #include "contacts/find.hpp"
 #include "contacts/motor_bounds.hpp"
 #include "contacts/pass_parts.hpp"
+#include "contacts/solve/even_loads.hpp"
 #include "contacts/solve/ties.hpp"
 #include "contacts/turning_apart.hpp"
 
@@ -11,7 +12,10 @@ namespace pantin {
 
 namespace {
 
-constexpr double soft_overlap = 1e-8;  // of the size: what the largest load of an island makes
+constexpr double soft_overlap =
+    1e-8;  // of the size: what the largest load of an island makes whose loads are not made even
+constexpr double as_closed =
+    1e-10;  // of the size: so little may what bore come open and still bear in one whose loads are
 
 /// Speed [m/s] with which it leaves what it meets in this step: as if it had met it at the surface; 0 where it is too slow.
 double rebound_of(const Contact& c, const TouchSettings& settings, double slow) {
@@ -98,15 +102,18 @@ void meet_several_at_end(const TouchIsland& island, Contacts& contacts, double h
 /// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
 void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double slow) {
   ContactIsland& problem = island.problem;
+  const bool even = has_even_loads(problem);
   double largest = 0.0;
   for (const std::size_t k : island.contacts)
     largest = std::max(largest, dot(contacts.list[k].place_impulse, contacts.list[k].normal));
   for (std::size_t k = 0; k < problem.contacts.size(); k++) {
     Contact& from = contacts.list[island.contacts[k]];
     IslandContact& c = problem.contacts[k];
-    c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
+    c.compliance = even || largest == 0.0 ? 0.0 : soft_overlap * from.size / (h * largest);
     from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
-    double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.place_impulse, from.normal)));
+    const double borne = norm2(from.total) > 0.0 ? as_closed * from.size : 0.0;
+    double gap = even ? std::max(0.0, from.gap - borne) / h
+                      : std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.place_impulse, from.normal)));
     if (from.foreseen && c.b >= 0 && from.approach < -slow)  // they part again for the rest of the drift
       gap -= from.restitution * std::max(0.0, -from.approach - gap);
     c.bias = to_frame(c, from.belt);

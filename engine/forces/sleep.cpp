@@ -24,6 +24,8 @@ constexpr double least_steps = 256, least_steps_in_touch = 32;
 constexpr double swing = 4.0;        // times sqrt(length / gravity)
 constexpr double most_growth = 2.0;  // round-off grows slowly, a fall by thousands in such a time,
 constexpr double unseen = 1e-20;     // but what is so much smaller may grow
+constexpr double unsolved_energy =
+    1e-2;                      // and so may what is slower than contacts are solved to, where they would hold it
 constexpr double slow = 3e-2;  // of sqrt(length gravity): the speed of what may be stopped where contacts hold it;
 constexpr double unseen_slow = 1e-4;  // of its energy may grow
 
@@ -138,8 +140,9 @@ bool is_still(World& world, const Island& island) {
     rests += rest.energy;
     r = {false, 0, 0.0, r.peak, rest.speed / time, {}, 0};
   }
-  if (!known || !closed || energy > std::max(most_growth * last_peaks, unseen * rests)) return false;
-  if (calm && !(touches && tied)) return true;
+  const bool grows = energy > std::max(most_growth * last_peaks, unseen * rests);
+  if (!known || !closed || (grows && !(touches && energy <= unsolved_energy * rests))) return false;
+  if (calm && !grows && !(touches && tied)) return true;
   return (calm || slowly) && is_held(world, island);
 }
 

@@ -149,3 +149,47 @@ test("a ball rolls on a slope that is steeper than its rolling friction by a tho
     expect(scene.stats.asleep):equal(steeper > 0 and 0 or 1)
   end
 end)
+
+local mirrored = {
+  ["a car that brakes with its front wheels"] = [[
+    scene:floor { friction = 0.8 }
+    local body = scene:box { name = "body", size = vec(2.4, 0.4, 1), at = vec(0, 0.6, 0), density = 300, velocity = vec(15, 0, 0), layer = "car" }
+    scene:collide("car", "car", false)
+    for x = -0.9, 0.9, 1.8 do
+      for z = -0.6, 0.6, 1.2 do
+        local wheel = scene:cylinder { radius = 0.35, length = 0.15, axis = vec(0, 0, 1), at = vec(x, 0.35, z), density = 300, friction = 0.8,
+                                       velocity = vec(15, 0, 0), spin = vec(0, 0, -15 / 0.35), layer = "car" }
+        scene:hinge(body:add_point(vec(x, -0.25, z)), wheel:add_point(vec(0, 0, 0)), { axis = vec(0, 0, 1) })
+        if x > 0 then scene:at(0.5, function() scene:motor(wheel, body, { axis = vec(0, 0, 1), speed = 0 }) end) end
+      end
+    end
+  ]],
+  ["a plank on two belts that run towards each other"] = [[
+    scene:ground { shapes = {
+      shape.box(0.4, 0.4, 0.6, { at = vec(-0.5, -0.2, 0), friction = 0.3, surface_velocity = vec(4, 0, 0) }),
+      shape.box(0.4, 0.4, 0.6, { at = vec(0.5, -0.2, 0), friction = 0.3, surface_velocity = vec(-4, 0, 0) }) } }
+    scene:box { name = "body", size = vec(3, 0.1, 0.5), at = vec(0.2, 0.05, 0), friction = 0.3, density = 500 }
+  ]],
+  ["a sled on four balls, the front ones rough"] = [[
+    scene:floor { friction = 1 }
+    local shapes = { shape.box { size = vec(1, 0.1, 0.4), density = 500 } }
+    for x = -0.4, 0.4, 0.8 do
+      for z = -0.15, 0.15, 0.3 do
+        shapes[#shapes + 1] = shape.ball(0.05, { at = vec(x, -0.1, z), friction = x > 0 and 0.5 or 0.01, density = 100 })
+      end
+    end
+    scene:body { name = "body", shapes = shapes, at = vec(0, 0.15, 0), velocity = vec(6, 0, 0) }
+  ]],
+}
+
+for what, text in pairs(mirrored) do
+  test("what is the same on both sides goes straight, however many points it stands on: " .. what, function()
+    for _, hz in ipairs { 60, 240 } do
+      local scene = open_text(("scene.step = 1 / %d\n"):format(hz) .. text)
+      scene:advance(1.5)
+      local body = scene:find "body"
+      expect(body.orientation.y):near(0, 1e-5)
+      expect(body.position.z):near(0, 1e-5)
+    end
+  end)
+end

@@ -286,16 +286,20 @@ test("thin rods that fall on a floor and on each other gain no energy in long st
 end)
 
 test("thin rods that meet in the air keep momentum and angular momentum, whatever gains are taken from them", function()
-  local scene = thin_rods(1, 0.25, 0.0018, [[
-    scene.gravity = vec(0, 0, 0)
-    for _, rod in ipairs(scene.bodies) do rod.velocity = (vec(0, 2, 0) - rod.position) * 6 end
-  ]])
-  scene:step()
-  local momentum, turning = scene.momentum, scene.angular_momentum
-  scene:advance(1)
-  expect(scene.error.energy):below(0.02)
-  expect((scene.momentum - momentum):length()):below(1e-12)
-  expect((scene.angular_momentum - turning):length()):below(1e-9 * turning:length())
+  local energy, seeds = 0, 3
+  for seed = 1, seeds do
+    local scene = thin_rods(seed, 0.25, 0.0018, [[
+      scene.gravity = vec(0, 0, 0)
+      for _, rod in ipairs(scene.bodies) do rod.velocity = (vec(0, 2, 0) - rod.position) * 6 end
+    ]])
+    scene:step()
+    local momentum, turning = scene.momentum, scene.angular_momentum
+    scene:advance(1)
+    energy = energy + scene.error.energy / seeds
+    expect((scene.momentum - momentum):length()):below(1e-12)
+    expect((scene.angular_momentum - turning):length()):below(1e-9 * turning:length())
+  end
+  expect(energy):below(0.02)
 end)
 
 test("balls that graze each other keep their energy when nothing takes any", function()

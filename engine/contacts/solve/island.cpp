@@ -196,4 +196,14 @@ double kinetic_energy(const ContactIsland& island) {
   return sum;
 }
 
+bool is_even(const ContactIsland& island) {
+  constexpr double most = 100.0;
+  double lightest = infinity, heaviest = 0.0;
+  for (const IslandBody& b : island.bodies) {
+    lightest = std::min(lightest, b.mass);
+    heaviest = std::max(heaviest, b.mass);
+  }
+  return heaviest <= most * lightest;
+}
+
 }  // namespace pantin

@@ -222,4 +222,7 @@ double residual(const ContactIsland& island);
 /// Kinetic energy of the velocities [J].
 double kinetic_energy(const ContactIsland& island);
 
+/// Whether no body is much lighter than another: what acts on heavy ones would throw it about, were it not the same to the last digit.
+bool is_even(const ContactIsland& island);
+
 }  // namespace pantin

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/solve/even_loads.hpp"
 #include "contacts/solve/search.hpp"
 #include "contacts/solve/ties.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 constexpr std::uint32_t most_of_newton = 30;
 constexpr std::uint32_t most_sweeps = 10, more_sweeps = 40, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
-constexpr std::size_t few = 24;               // contacts: such an island is always solved exactly
 constexpr std::size_t many = 1000;            // contacts: a factorisation of such an island costs as much as 20 sweeps
 constexpr std::uint32_t sweeps_of_many = 60;  // more, where it is calm
 constexpr double very_calm = 0.1;             // of the speed of a calm island: one of many is solved exactly
@@ -167,6 +167,11 @@ void gain_nothing(ContactIsland& island, IslandReport& report) {
 
 }  // namespace
 
+bool is_small(const ContactIsland& island) {
+  constexpr std::size_t few = 24;
+  return island.contacts.size() <= few;
+}
+
 bool is_calm(const ContactIsland& island, double kinetic, double part) {
   double mass = 0.0;
   for (const IslandBody& b : island.bodies) mass += b.mass;
@@ -207,8 +212,8 @@ IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSea
   Search search{island, wanted == ContactSearch::exact || springs};
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
-  const bool is_small = wanted != ContactSearch::fast && (island.contacts.size() <= few || springs);
-  const bool surely = is_small || wanted == ContactSearch::exact;
+  const bool sure = wanted != ContactSearch::fast && (is_small(island) || springs);
+  const bool surely = sure || wanted == ContactSearch::exact;
   const auto deserves = [&] {
     return surely || (wanted == ContactSearch::automatic && is_calm(island, kinetic_energy(island)));
   };
@@ -228,6 +233,8 @@ IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSea
         search_calm(search, effort);
     }
   }
+  if (has_even_loads(island) && wanted != ContactSearch::fast && search.solved() && search.lay_out())
+    even_loads(island);
   confine(island);
   apply_impulses(island);
   if (island.is_tied() && gain_of(island).is_too_much()) {

@@ -12,6 +12,9 @@ struct IslandReport {
   bool too_dense = false;  ///< since it would cost more than it is worth
 };
 
+/// Has so few contacts that it is always solved exactly.
+bool is_small(const ContactIsland& island);
+
 /// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth
 /// while; within a `part` of that.
 bool is_calm(const ContactIsland& island, double kinetic, double part = 1.0);
