@@ -217,7 +217,7 @@ void settle(World& world) {
   f.settled_in = world.steps + 1;
   if (!can_change_members(world, f)) {
     make_forces(world);
-  } else if (f.told && are_apart(f)) {
+  } else if (f.told && are_apart(world, f)) {
     f.energy += change_members_apart(world, f);
     bring_in_energy(world);
   } else {

@@ -49,7 +49,7 @@ bool can_change_members(const World& world, const Forces& forces);
 std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
 /// Whether only free particles were born or have gone, and what laws do to one of them has to do with no other, and comes of
 /// its state alone.
-bool are_apart(const Forces& forces);
+bool are_apart(const World& world, const Forces& forces);
 /// The same where they are apart, and the forces on them at the present positions; others stay. Gives the change of energy
 /// [J], told before of the present state.
 double change_members_apart(const World& world, Forces& forces);

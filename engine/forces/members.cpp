@@ -4,10 +4,19 @@
 #include <numeric>
 
 #include "forces/forces_parts.hpp"
+#include "forces/integrator.hpp"
+#include "laws/draws_noise.hpp"
 
 namespace pantin {
 
 namespace {
+
+/// Calls use(list) for what is kept of each site from one evaluation to the next, where it is kept.
+template <class Use>
+void each_kept(Forces& f, Use use) {
+  for (std::vector<Vec3>* list : {&f.still, &f.undamped, &f.noise})
+    if (!list->empty()) use(*list);
+}
 
 void resize(Forces& f, std::size_t n) {
   f.sites.resize(n);
@@ -15,6 +24,7 @@ void resize(Forces& f, std::size_t n) {
   f.attached_of.resize(n, Forces::none);
   f.inverse_mass.resize(n, 0.0);
   f.image.resize(n, zero3());
+  each_kept(f, [&](std::vector<Vec3>& list) { list.resize(n, zero3()); });
 }
 
 void move(Forces& f, std::uint32_t from, std::uint32_t to) {
@@ -33,6 +43,7 @@ void move(Forces& f, std::uint32_t from, std::uint32_t to) {
   if (f.attached_of[to] != Forces::none) f.attached[f.attached_of[to]].site = to;
   f.inverse_mass[to] = f.inverse_mass[from];
   f.image[to] = f.image[from];
+  each_kept(f, [&](std::vector<Vec3>& list) { list[to] = list[from]; });
   if (s.particle[to] != Forces::none) f.site_of[s.particle[to]] = to;
 }
 
@@ -93,6 +104,7 @@ std::vector<std::uint32_t> replace(const World& world, Forces& f, const std::vec
   std::vector<std::uint32_t> fresh;
   for (std::size_t k = 0; k < born.size(); k++) {
     fresh.push_back(k < f.gone.size() ? f.gone[k] : static_cast<std::uint32_t>(before + k - f.gone.size()));
+    each_kept(f, [&](std::vector<Vec3>& list) { list[fresh.back()] = zero3(); });
     bind_site(world, f, fresh.back(), born[k].id, born[k].how);
   }
   auto last = static_cast<std::uint32_t>(before);
@@ -159,9 +171,10 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
   return fresh;
 }
 
-bool are_apart(const Forces& f) {
+bool are_apart(const World& world, const Forces& f) {
   const auto follows = [](char followed) { return followed != 0; };
-  return !f.elsewhere && f.interactions.empty() && !(f.velocity_dependent && f.nonconservative_still) && !f.grouped &&
+  const bool solved_in_kicks = rule_of(world).kicks && !f.nonconservative_still;
+  return !f.elsewhere && f.interactions.empty() && (!f.velocity_dependent || solved_in_kicks) && !f.grouped &&
          std::none_of(f.followed.begin(), f.followed.end(), follows) &&
          std::find(f.sites.names.begin(), f.sites.names.end(), "age") == f.sites.names.end();
 }
@@ -180,6 +193,22 @@ double run_fields(const World& world, Forces& f, std::span<const std::uint32_t> 
   return energy;
 }
 
+/// What of the forces of fields on some sites is noise, where errors are to be told without it.
+void find_noise_on(const World& world, Forces& f, std::span<const std::uint32_t> some) {
+  if (!world.settings.accuracy || !f.noisy) return;
+  f.noise.resize(f.sites.n, zero3());
+  for (std::uint32_t site : some) f.noise[site] = zero3();
+  const KeptForces kept(f.sites);
+  Instant instant = instant_of(world, world.time, world.instant);
+  for (const bool silent : {false, true}) {
+    instant.silent = silent;
+    std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
+    for (ActingField& a : f.fields)
+      if (draws_noise(*a.law) && !a.law->thermal) run_law(world, f, a, instant);
+    for (std::uint32_t site : some) f.noise[site] += f.sites.nonconservative_force[site] * (silent ? -1.0 : 1.0);
+  }
+}
+
 }  // namespace
 
 double change_members_apart(const World& world, Forces& f) {
@@ -190,6 +219,7 @@ double change_members_apart(const World& world, Forces& f) {
     f.sites.v[site] = world.free_motion[f.point[site]].v;
   }
   change += run_fields(world, f, fresh, 1.0);
+  find_noise_on(world, f, fresh);
   keep_in_plane(world.plane, f.sites);
   arrange(world, f);
   return change;

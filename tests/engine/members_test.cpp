@@ -260,3 +260,73 @@ TEST_CASE("members: a newborn that lacks what a law reads stops the world, and s
   step(world);
   CHECK_THAT(world.failure, Catch::Contains("charge"));
 }
+
+namespace {
+
+/// The same on all: noise, and what pulls in proportion to the velocity.
+std::shared_ptr<const Law> force_of(double noise, double drag) {
+  Expressions g;
+  std::vector<Expr> force;
+  for (std::uint8_t i = 0; i < 3; i++) {
+    force.push_back(g.scale(g.input({Role::position, 0, i, ""}), -1.0));
+    if (noise > 0.0) force[i] = g.add(force[i], g.scale(g.input({Role::noise, 0, i, ""}), noise));
+    if (drag > 0.0) force[i] = g.subtract(force[i], g.scale(g.input({Role::velocity, 0, i, ""}), drag));
+  }
+  LawDef def;
+  def.name = "what is without energy";
+  return std::make_shared<Law>(point_force(def, g, force));
+}
+
+using PerSite = std::vector<Vec3> Forces::*;
+
+std::map<std::uint64_t, Vec3> by_serial(const World& world, PerSite list) {
+  const Forces& f = *world.forces;
+  REQUIRE((f.*list).size() >= f.sites.n);
+  std::map<std::uint64_t, Vec3> values;
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.sites.particle[i] != Forces::none) values[f.sites.serial[i]] = (f.*list)[i];
+  return values;
+}
+
+/// In a stream what is kept of each particle is that of a world made anew, whose forces are those of the present state.
+void check_kept(World& world, PerSite list) {
+  const FamilyId drops = world.families.ids().front();
+  pour(world, drops, 2e3, 0.005, 0.02);
+  for (int k = 0; k < 60; k++) {
+    step(world);
+    const std::vector<ParticleId> here = world.particles.ids();
+    for (std::size_t i = 0; i < here.size(); i += 9) remove(world, here[i]);
+    ParticleDef def;
+    def.at = vec(0.1 * k, 1, 0);
+    def.family = drops;
+    add_particle(world, def);
+    refresh_laws(world);
+    const auto kept = by_serial(world, list);
+    const FieldId field = world.fields.ids().front();
+    set_enabled(world, field, false);
+    set_enabled(world, field, true);
+    refresh_laws(world);
+    const auto anew = by_serial(world, list);
+    REQUIRE(anew.size() == kept.size());
+    for (const auto& [serial, value] : anew) REQUIRE(norm(value - kept.at(serial)) <= 1e-14 * norm(value));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("members: noise that errors are told without is known of newborns, and stays with its particle") {
+  World world;
+  prepare(world, 1e-3);
+  world.settings.accuracy = 0.1;
+  add_field(world, force_of(0.01, 0.0), make_family(world, "drops"));
+  check_kept(world, &Forces::noise);
+  CHECK(norm(world.forces->noise.front()) > 0.0);
+}
+
+TEST_CASE("members: what laws of velocity do not damp is known of newborns without kicks, too") {
+  World world;
+  prepare(world, 1e-3);
+  set_integrator(world, Integrator::rk4);
+  add_field(world, force_of(0.0, 0.1), make_family(world, "drops"));
+  check_kept(world, &Forces::undamped);
+}
