@@ -2,7 +2,9 @@
 #include "lua/vm/prototypes.hpp"
 
 #include "bindings/lua_support.hpp"
+#include "lua/law/force_library.hpp"
 #include "lua/library/sandbox.hpp"
+#include "lua/value/values.hpp"
 #include "lua/vm/runtime.hpp"
 
 using namespace pantin;
@@ -31,6 +33,18 @@ TEST_CASE("prototypes: each function of a text is found by what it dumps, and ru
     lua_call(state, 1, 2);
     CHECK(lua_tonumber(state, -2) == 2.5);
     CHECK(std::string(lua_tostring(state, -1)) == "short");
+    lua_settop(state, 0);
+  });
+}
+
+TEST_CASE("values: what functions of the library keep says what it is, and is taken for no vec and no thing") {
+  lua::Runtime runtime({0.0, std::size_t{16} << 20}, lua::sandbox);
+  runtime.run([&](lua_State* state) {
+    lua_newtable(state);
+    lua::add_library_laws(state);
+    lua_getfield(state, -1, "spring");
+    REQUIRE(lua_getupvalue(state, -1, 2) != nullptr);
+    CHECK(lua::tag_of(state, -1) == lua::Tag::known_laws);
     lua_settop(state, 0);
   });
 }

@@ -14,7 +14,10 @@ namespace {
 using Given = LibraryParameter::Given;
 using Laws = std::vector<std::shared_ptr<const Law>>;
 
-using Known = KnownLaws;
+struct Known {
+  Tag tag = Tag::known_laws;
+  KnownLaws laws;
+};
 const char known_key = 0;  // of the registry
 
 int drop_known(lua_State* state) {
@@ -111,7 +114,7 @@ Laws make_laws(const LibraryLaw& law, const LawArguments& arguments, const std::
 }
 
 /// The shared laws for some arguments. Shapes whose laws depend on values are marked by an empty entry.
-Laws find_laws(Known& known, const LibraryLaw& law, const LawArguments& arguments, const std::string& name) {
+Laws find_laws(KnownLaws& known, const LibraryLaw& law, const LawArguments& arguments, const std::string& name) {
   const std::string shape = shape_of(law, arguments, name);
   auto found = known.find(shape);
   if (found != known.end() && found->second.empty()) found = known.find(shape + values_of(arguments));
@@ -158,7 +161,7 @@ int make_law(lua_State* state) {
           ": implicit is for laws of the distance");
   ResolvedLaw resolved;
   try {
-    resolved.laws = find_laws(known, law, arguments, o.string("name").value_or(""));
+    resolved.laws = find_laws(known.laws, law, arguments, o.string("name").value_or(""));
   } catch (const Error& error) { throw Error(text("force.", error.what())); }
   resolved.values = parameter_values(*resolved.laws[0], arguments);
   resolved.solve = spec.solve;
@@ -173,7 +176,7 @@ KnownLaws& known_laws(lua_State* state) {
   lua_rawgetp(state, LUA_REGISTRYINDEX, &known_key);
   Known& known = *static_cast<Known*>(lua_touserdata(state, -1));
   lua_pop(state, 1);
-  return known;
+  return known.laws;
 }
 
 void add_library_laws(lua_State* state) {

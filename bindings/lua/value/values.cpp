@@ -110,7 +110,8 @@ const char* kind_of_value(lua_State* state, int index) {
     case Tag::dual: return "a number";
     case Tag::law_particle: return "a particle of a law";
     case Tag::law_own: return "the parameters of a law";
-    case Tag::law: break;
+    case Tag::law:
+    case Tag::known_laws: break;
   }
   return "a law";
 }

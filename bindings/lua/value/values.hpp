@@ -10,7 +10,19 @@
 namespace pantin::lua {
 
 /// The first word of every userdata of ours, which are all there are.
-enum class Tag : std::uint32_t { vec, quat, ref, symbol, symbol_vec, dual, dual_vec, law_particle, law_own, law };
+enum class Tag : std::uint32_t {
+  vec,
+  quat,
+  ref,
+  symbol,
+  symbol_vec,
+  dual,
+  dual_vec,
+  law_particle,
+  law_own,
+  law,
+  known_laws
+};
 
 std::optional<Tag> tag_of(lua_State* state, int index);
 
