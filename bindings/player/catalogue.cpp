@@ -36,6 +36,7 @@ SceneEntry read_entry(const fs::path& path) {
   std::string line;
   bool in_comment = true, is_scene = false;
   while (std::getline(file, line) && line.size() < 4096) {
+    if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
     line = trimmed(line);
     if (line.starts_with("#!")) continue;
     in_comment = in_comment && line.starts_with("--");

@@ -122,6 +122,23 @@ TEST_CASE("require finds the scene's own files once, and tells of errors in them
   CHECK_THROWS_WITH(run_scene("require 'round'"), Contains("round.lua:1: require: 'round' requires itself"));
 }
 
+TEST_CASE("a byte order mark before a scene, a module or a test is skipped, before a line for the shell, too") {
+  const Folder folder;
+  const std::string mark = "\xef\xbb\xbf";
+  folder.write("marked.lua", mark + "return 7");
+  const auto opened = lua::open_scene(
+      folder.write("scene.lua", mark + "#!/usr/bin/env pantin\nscene:result('x', require 'marked')"), options());
+  CHECK(std::get<double>(opened->results().at("x")) == 7.0);
+  CHECK(std::get<double>(lua::open_state(opened->state(), "state", {})->results().at("x")) == 7.0);
+  CHECK_THROWS_WITH(lua::open_scene(folder.write("bad.lua", mark + "\nlocal x = = 1"), options()),
+                    "bad.lua:2: unexpected symbol near '='");
+  const std::string test = folder.write("marked_test.lua", mark + "test('a', function() end)");
+  std::FILE* const out = std::fopen("/dev/null", "w");
+  REQUIRE(out != nullptr);
+  CHECK(lua::run_tests({test}, options(), out).passed == 1);
+  std::fclose(out);
+}
+
 TEST_CASE("tables of numbers are read from the scene's folder") {
   const Folder folder;
   folder.write("plain.csv", "1,2\n\n# note\n-3e2, +4.5\r\n");

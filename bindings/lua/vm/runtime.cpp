@@ -197,10 +197,10 @@ void make_weak(lua_State* state, const char* mode) {
 }
 
 void load_text(lua_State* state, const SourceText& chunk) {
-  const std::string& source = chunk.source;
+  std::string_view rest = chunk.source;
+  if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // which editors put before UTF-8
   // A first line that begins with # is for the shell.
-  const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
-  std::string_view rest = std::string_view(source).substr(skipped);
+  if (rest.starts_with('#')) rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
   const int status = lua_load(state, next_block, &rest, ("@" + chunk.name).c_str(), "t");
   if (status == LUA_ERRRUN && !Runtime::of(state).watch().over)
     lua_pushfstring(state, "%s: %s", chunk.name.c_str(), lua_tostring(state, -1));
