@@ -129,7 +129,9 @@ std::vector<Property> space() {
           [](World& w, None, const std::optional<std::string>& name) { write_plane(w, name); }),
       property<None>(
           "tolerance", "number", "1",
-          "points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)",
+          "points of a new hinge may be this far apart, relative to the size of their bodies with their shapes; of "
+          "points "
+          "without bodies to the largest coordinate (default `1e-6`)",
           [](const World& w, None) { return w.settings.tolerance; },
           [](World& w, None, double v) { w.settings.tolerance = positive(v, "tolerance", ""); }),
       property<None>(

@@ -100,18 +100,27 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   return ring;
 }
 
+/// The largest coordinate of a point [m].
+double farthest_coordinate(const World& world) {
+  double most = 0.0;
+  for (const PointId point : world.points.ids()) most = std::fmax(most, largest(position(world, point)));
+  return most;
+}
+
 }  // namespace
 
 void internal::require_together(const World& world, std::span<const PointId> points) {
   const Vec3 first = position(world, points[0]);
   const double size = size_of(world, points[0]);
   for (std::size_t i = 1; i < points.size(); i++) {
-    const Vec3 at = position(world, points[i]);
-    double length = std::fmax(size, size_of(world, points[i]));
-    if (!(length > 0.0)) length = std::fmax(largest(first), std::numeric_limits<double>::min());
-    const double gap = norm(at - first), allowed = world.settings.tolerance * length;
+    const double gap = norm(position(world, points[i]) - first);
+    if (gap == 0.0) continue;
+    const double of_bodies = std::fmax(size, size_of(world, points[i]));
+    const bool are_bodies = of_bodies > 0.0;
+    const double allowed = world.settings.tolerance * (are_bodies ? of_bodies : farthest_coordinate(world));
     require(gap <= allowed, "hinge: points 1 and ", i + 1, " are ", gap, " m apart, and at most ", allowed,
-            " m (scene.tolerance times the size of their bodies) is allowed; move them together first");
+            " m (scene.tolerance times ", are_bodies ? "the size of their bodies" : "the largest coordinate of a point",
+            ") is allowed; move them together first");
   }
 }
 

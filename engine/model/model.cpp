@@ -346,6 +346,10 @@ double size_of(const Model& model, PointId point) {
     const Vec3 position = model.points[p].position;
     size = std::fmax(size, std::fmax(norm(position - body.centre), norm(position - first)));
   }
+  for (const ShapeId id_of_shape : body.shapes) {
+    const Shape& shape = model.shapes[id_of_shape];
+    if (!shape.sensor) size = std::fmax(size, norm(shape.at - body.centre) + reach_of(shape.geometry));
+  }
   return size;
 }
 

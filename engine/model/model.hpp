@@ -107,7 +107,8 @@ void update_mass(Model& m, BodyId body);
 /// Sets the principal moments that a body moves with: its own, or where it is tied none below `least_inertia` of the
 /// largest. Keeps the velocity of every point; returns the energy that this gave [J].
 double settle_inertia(Model& m, BodyId body, bool tied);
-/// The largest arm of a point's body or distance between its points, [m]; 0 of a free point.
+/// The largest arm of a point's body, distance between its points or reach of a shape from its centre, [m]; 0 of a free
+/// point.
 double size_of(const Model& model, PointId point);
 /// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn
 /// about it, or but that about the normal of a plane; 0 for one that cannot turn at all.

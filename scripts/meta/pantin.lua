@@ -927,7 +927,7 @@ local Snapshot = {}
 ---@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
 ---@field box vec? [m] edges of the periodic box, through whose sides laws reach, but not what touches (default none: open space)
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made (default none: in space)
----@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)
+---@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies with their shapes; of points without bodies to the largest coordinate (default `1e-6`)
 ---@field seed integer of math.random (default `1`)
 ---@field boltzmann number [J/K] k_B; temperature is in J while it is 1 (default `1`)
 ---@field hands Hand[] the mouse, fingers, sticks, and scripted hands (read only)

@@ -81,11 +81,19 @@ TEST_CASE("points of a hinge may be apart by the tolerance times the size of the
   CHECK_NOTHROW(join(world, {right_of(world, a), left_of(world, b)}));
   const BodyId c = add_body(world, rod_at(vec(2 + 3e-6, 0, 0)));
   CHECK_THROWS_WITH(join(world, {right_of(world, b), left_of(world, c)}), Contains("apart"));
+}
+
+TEST_CASE("points without bodies may be apart by the tolerance times the largest coordinate") {
+  World world;
   ParticleDef def;
   const PointId p = point_of(world, add_particle(world, def));
   def.at = vec(1e-9, 0, 0);
   const PointId q = point_of(world, add_particle(world, def));
-  CHECK_THROWS_WITH(join(world, {p, q}), Contains("1e-09 m apart"));
+  CHECK_THROWS_WITH(join(world, {p, q}),
+                    Contains("1e-09 m apart, and at most 1e-15 m (scene.tolerance times the largest coordinate"));
+  def.at = vec(0, 1, 0);
+  add_particle(world, def);
+  CHECK_NOTHROW(join(world, {p, q}));
 }
 
 TEST_CASE("cutting frees all members and keeps momentum, position and velocity") {

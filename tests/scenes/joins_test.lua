@@ -21,3 +21,19 @@ test("a join that draws two together beside what they touch turns nothing, and d
     end
   end
 end)
+
+test("shapes count in the size of bodies whose points are at their centres: a hinge may be as wide as tolerance says", function()
+  local function apart(gap, more)
+    return "local a = scene:box { size = 1, points = { p = vec(0, 0, 0) } }\n" ..
+      ("local b = scene:box { size = 1, at = vec(%g, 0, 0), points = { p = vec(0, 0, 0) } }\n"):format(gap) ..
+      (more or "") .. "scene:hinge(a.p, b.p)"
+  end
+  expect(#open_text(apart(1e-7)).hinges):equal(1)
+  expect(#open_text(apart(5e-3, "scene.tolerance = 1e-2 ")).hinges):equal(1)
+  expect(function() open_text(apart(1e-6)) end):fails("at most 8.660254037844386e-07 m (scene.tolerance times the size of their bodies)")
+  expect(function() open_text([[
+    local box, zone = shape.box(1, 1, 1), shape.ball(100, { sensor = true })
+    local a = scene:body { mass = 1, shapes = { box, zone }, points = { p = vec(0, 0, 0) } }
+    local b = scene:body { mass = 1, shapes = { box }, at = vec(1e-5, 0, 0), points = { p = vec(0, 0, 0) } }
+    scene:hinge(a.p, b.p)]]) end):fails("at most 8.660254037844386e-07 m")
+end)
