@@ -25,22 +25,36 @@ struct Oldest {
   }
 };
 
+template <class Use>
+void each_store_of_things(const World& world, Use use) {
+  use(world.bodies);
+  use(world.particles);
+  use(world.constraints);
+  use(world.groups);
+  use(world.families);
+  use(world.connections);
+  use(world.interactions);
+  use(world.fields);
+  use(world.emitters);
+  use(world.shapes);
+}
+
 }  // namespace
 
 AnyId find(const World& world, std::string_view name) {
   if (name.empty()) return {};
   Oldest oldest{name, {}};
-  oldest.look(world.bodies);
-  oldest.look(world.particles);
-  oldest.look(world.constraints);
-  oldest.look(world.groups);
-  oldest.look(world.families);
-  oldest.look(world.connections);
-  oldest.look(world.interactions);
-  oldest.look(world.fields);
-  oldest.look(world.emitters);
-  oldest.look(world.shapes);
+  each_store_of_things(world, [&](const auto& store) { oldest.look(store); });
   return oldest.id;
+}
+
+AnyId find_numbered(const World& world, std::uint64_t serial) {
+  AnyId found;
+  each_store_of_things(world, [&](const auto& store) {
+    for (std::uint32_t s = 0; s < store.slots(); s++)
+      if (store.alive_at(s) && store.at_slot(s).serial == serial) found = store.id_at(s);
+  });
+  return found;
 }
 
 std::vector<ParticleId> particles(const World& world) {

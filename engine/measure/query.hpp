@@ -8,6 +8,8 @@ namespace pantin {
 
 /// The oldest living thing of that name, or monostate.
 AnyId find(const World& world, std::string_view name);
+/// The living thing that messages call by this number, as "body 11"; null: none.
+AnyId find_numbered(const World& world, std::uint64_t serial);
 /// Awake particles within `radius` [m] of a position, nearest first; in a periodic box their nearest images count.
 std::vector<ParticleId> near(const World& world, Vec3 at, double radius);
 /// Awake particles in the order of making; of one family; hinges only.

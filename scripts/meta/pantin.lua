@@ -240,11 +240,11 @@ local AnySet = {}
 ---@field hinges Particle[] all hinges (read only)
 ---@field connections Connection[] all connections, in the order of making (read only)
 local AnyScene = {}
----The oldest living thing of that name.
+---The oldest living thing of that name; or the living one of that number, by which messages call what has no name, as "body 11": all kinds of things are counted together, in the order of making.
 ---```lua
 ---local found = scene:find("all")
 ---```
----@param name string
+---@param name string|integer
 ---@return Thing?
 function AnyScene:find(name) end
 ---Particles within a radius, nearest first.

@@ -43,3 +43,21 @@ test("a group without a point has no bounds", function()
     assert(low == vec(0, 0, 0) and high == vec(1, 0, 0))
   ]])
 end)
+
+test("what has no name is found by the number that messages call it", function()
+  open_text [[
+    scene:floor {}
+    local first = scene:box { size = 1, at = vec(0, 0.5, 0), points = { a = vec(0, 0, 0) } }
+    local p, named = scene:particle { at = vec(4, 1, 0) }, scene:box { size = 1, at = vec(0, 3, 0), name = "named" }
+    local field = scene:field(scene, force.drag { linear = 0.1 })
+    for _, thing in ipairs { first, p, field } do
+      local number = tonumber(tostring(thing):match("%d+$"))
+      assert(scene:find(number) == thing)
+    end
+    assert(scene:find(1e6) == nil and tostring(named) == "body 'named'")
+    first:remove()
+    assert(scene:find(2) == nil)
+  ]]
+  expect(function() open_text("scene:find(1.5)") end):fails("must be a whole one >= 1, got 1.5")
+  expect(function() open_text("scene:find(0)") end):fails("must be a whole one >= 1, got 0")
+end)

@@ -1,4 +1,6 @@
 // Numbers about the whole scene or a set of things, as Lua reads them.
+#include <cmath>
+
 #include "choreography/choreography.hpp"
 #include "lua/scene/touch_methods.hpp"
 #include "lua/thing/fields.hpp"
@@ -34,7 +36,15 @@ void read_stats(const Self& self) {
 int scene_find(lua_State* state) {
   const Ref* ref = to_ref(state, 1);
   require(ref && ref->kind == Kind::scene, "scene: call find with a colon, scene:find(…)");
-  push_thing(state, *ref->script, find(ref->script->world, check_text(state, 2, "find", "argument 1, the name,")));
+  const World& world = ref->script->world;
+  if (lua_type(state, 2) == LUA_TNUMBER) {
+    const double number = lua_tonumber(state, 2);
+    require(number >= 1.0 && number == std::floor(number) && number < 0x1p53,
+            "find: argument 1, the number of a thing, must be a whole one >= 1, got ", number);
+    push_thing(state, *ref->script, find_numbered(world, static_cast<std::uint64_t>(number)));
+  } else {
+    push_thing(state, *ref->script, find(world, check_text(state, 2, "find", "argument 1, the name,")));
+  }
   return 1;
 }
 
@@ -67,11 +77,14 @@ const Type& any_scene_type() {
     field_named(made, "ledger").read = read_ledger;
     field_named(made, "contact_heat").read = read_contact_heat;
     field_named(made, "stats").read = read_stats;
-    made.methods = {{"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name.",
-                     "local found = scene:find(\"all\")"},
-                    {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
-                     "Particles within a radius, nearest first.",
-                     "for _, other in ipairs(scene:near(p.position, 0.5)) do other:remove() end"}};
+    made.methods = {
+        {"find", guard<scene_find>, "name: string|integer", "Thing?",
+         "The oldest living thing of that name; or the living one of that number, by which messages call what "
+         "has no name, as \"body 11\": all kinds of things are counted together, in the order of making.",
+         "local found = scene:find(\"all\")"},
+        {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
+         "Particles within a radius, nearest first.",
+         "for _, other in ipairs(scene:near(p.position, 0.5)) do other:remove() end"}};
     for (Method& method : hit_methods()) made.methods.push_back(method);
     return made;
   }();
