@@ -235,6 +235,11 @@ std::string extrapolated(const Study& study, double error) {
 }  // namespace
 
 std::string advice(const Study& study) {
+  if (still(study) && study.parts())
+    return format(
+        "Nothing moves by itself until %g s, and until then errors can be told. Something moves after that, and "
+        "no step that was tried followed it.",
+        study.comparable);
   if (still(study)) return "Nothing moves by itself in this scene, so there is no step to choose.";
   const double error = wanted * study.size;
   const std::string beginning =

@@ -114,6 +114,18 @@ TEST_CASE("report: where shorter steps show nothing new longer ones are tried st
   CHECK_THAT(advice(study), Catch::Contains("scene.step = 1/60 (the longest tried)"));
 }
 
+TEST_CASE("report: where something moves that no step followed, no scene is said to be at rest") {
+  const Study study = study_text(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene:particle { at = vec(1, 0, 0) }
+    scene:field(scene, force.point { force = function(p, own, t)
+      return vec(where(t > 1.0005 and t < 1.0015, 1000, 0), 0, 0) end })
+  )",
+                                 1.5);
+  CHECK_THAT(advice(study), Catch::StartsWith("Nothing moves by itself until 1 s, and") &&
+                                Catch::Contains("Something moves after that, and no step that was tried followed it."));
+}
+
 TEST_CASE("report: a scene in which nothing moves says so, and one that is over at once is refused") {
   CHECK_THAT(
       advice(study_text("scene.gravity = vec(0, 0, 0) scene:particle {} scene:particle { at = vec(1, 0, 0) }", 0.5)),
