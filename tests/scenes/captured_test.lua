@@ -51,3 +51,32 @@ test("a global that the scene changes in each step does not make a law slow that
   expect(v.x):near(0.5, 1e-9)
   expect(#scene.log):equal(0)
 end)
+
+test("a law beside a large table of the game follows what it reads, wherever in it that is, and at once", function()
+  for _, at in ipairs { "game.wind", "game.tiles[70][70]" } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local game = { wind = 1, tiles = {}, moves = 0 }
+      for i = 1, 70 do game.tiles[i] = {} for j = 1, 70 do game.tiles[i][j] = 1 end end
+      local p = scene:particle { mass = 1, name = "p" }
+      scene:field(scene, force.point { force = function(p) return vec(%s, 0, 0) end })
+      scene:on("step", function() game.moves = game.moves + 1 end)
+      scene:at(0.5, function() %s = -1 end)
+      scene:at(0.75, function() %s = 3 end)
+    ]]):format(at, at, at))
+    scene:advance(1)
+    expect(scene:find("p").velocity.x):near(0.5 - 0.25 + 0.75, 1e-9)
+    expect(#scene.log):equal(0)
+  end
+end)
+
+test("a table that grows large while the scene runs hides nothing of what a law reads", function()
+  local v, scene = speed([[
+    local list = { 0 }
+    scene:at(0.25, function() for i = 2, 6000 do list[i] = i end end)
+    scene:at(0.5, function() list[1] = 2 end)
+    scene:at(0.75, function() list[1] = 4 end)
+  ]], "vec(list[1], 0, 0)")
+  expect(v.x):near((0.25 * 2 + 0.25 * 4) / 2, 1e-9)
+  expect(#scene.log):equal(0)
+end)

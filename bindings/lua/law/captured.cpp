@@ -21,6 +21,8 @@ class CapturedReader {
  public:
   explicit CapturedReader(lua_State* state) : state_(state) {}
 
+  bool saw_all() const { return count_ <= most; }
+
   /// Of the value at the top.
   std::uint64_t value() {
     const auto kind = static_cast<std::uint64_t>(lua_type(state_, -1));
@@ -37,7 +39,7 @@ class CapturedReader {
   }
 
  private:
-  static constexpr int most = 4000, room = 8;
+  static constexpr int most = 1000, room = 8;
 
   std::uint64_t address() const { return reinterpret_cast<std::uintptr_t>(lua_topointer(state_, -1)); }
   bool is_new() {
@@ -81,12 +83,14 @@ class CapturedReader {
 
 }  // namespace
 
-std::uint64_t captured_values(const Callback& function) {
+std::optional<std::uint64_t> captured_values(const Callback& function) {
   lua_State* state = function.runtime().active();
-  if (!lua_checkstack(state, 8)) return 0;
+  if (!lua_checkstack(state, 8)) return {};
   function.push(state);
-  const std::uint64_t all = CapturedReader(state).value();
+  CapturedReader reader(state);
+  const std::uint64_t all = reader.value();
   lua_pop(state, 1);
+  if (!reader.saw_all()) return {};
   return all;
 }
 

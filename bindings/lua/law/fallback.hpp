@@ -13,7 +13,8 @@ class CalledLaw final : public Called {
  public:
   explicit CalledLaw(LawFunction law) : law_(std::move(law)) {}
 
-  /// Outputs are the forces and, where there is one column more, the energy of a potential. Errors of the function, and results that are no finite numbers, throw Error with the law's line and what was seen.
+  /// Outputs are the forces and, where there is one column more, the energy of a potential. Errors of the function, and
+  /// results that are no finite numbers, throw Error with the law's line and what was seen.
   void run(const Block& block) override;
   /// Tries each by itself. Outputs may be anything; where the function failed the message is given, else "".
   std::vector<std::string> try_each(const Block& block);

@@ -14,6 +14,8 @@
 
 namespace pantin::lua {
 
+struct Traced;
+
 /// A law made ready for particles of known families.
 struct ResolvedLaw {
   /// All act, with the same parameters: a law of the library that also dissipates has a second part without energy. The
@@ -23,7 +25,8 @@ struct ResolvedLaw {
   std::shared_ptr<CalledLaw>
       function;                     ///< of a traced law of a scene: to be compared with now and then (`recheck_law`)
   Solve solve = Solve::explicitly;  ///< of its connections
-  std::uint64_t captured = 0;       ///< of such a function, when it was traced: see `captured_values`
+  std::optional<std::uint64_t> captured = 0;  ///< of such a function, when it was traced: see `captured_values`
+  std::shared_ptr<const Traced> traced;       ///< what it was traced to; may be null
 };
 
 /// A law as a scene wrote it.

@@ -184,9 +184,10 @@ void renew_laws(World& world, LawsAtWork& laws) {
   std::erase_if(laws.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(world, t); });
 }
 
-void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs) {
+void recheck_laws(World& world, LawsAtWork& laws, const Runtime& runtime) {
   if (laws.traced.empty()) return;
-  std::exchange(laws.runs_seen, runs) != runs ? renew_laws(world, laws) : drop_unused(world, laws);
+  laws.runs_seen != runtime.runs() ? renew_laws(world, laws) : drop_unused(world, laws);
+  laws.runs_seen = runtime.runs();  // those of tracing, too
   if (!std::has_single_bit(world.steps)) return;
   for (std::size_t i = 0; i < laws.traced.size(); i++) {
     const TracedAtWork at_work = laws.traced[i];

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lua/law/force.hpp"
+#include "lua/vm/runtime.hpp"
 #include "world/world.hpp"
 
 namespace pantin::lua {
@@ -25,8 +26,8 @@ void watch_law(LawsAtWork& laws, const AnyId& id, const ResolvedLaw& law);
 /// A law that reads what scripts have changed is traced again, from now on; one for which they do so all the time is called
 /// from then on, with a warning.
 void renew_laws(World& world, LawsAtWork& laws);
-/// The same after scripts may have run, `runs` times so far; and a law that disagrees with its function is called from then
+/// The same after scripts may have run; and a law that disagrees with its function is called from then
 /// on, with a warning, in a step whose time for that has come.
-void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs);
+void recheck_laws(World& world, LawsAtWork& laws, const Runtime& runtime);
 
 }  // namespace pantin::lua

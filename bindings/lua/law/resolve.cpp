@@ -110,6 +110,31 @@ LawKind kind_of(LawForm form) {
   return form == LawForm::many_potential ? LawKind::many : LawKind::point;
 }
 
+/// Remembers what the function of a law that was traced just now reads.
+void note_read(ResolvedLaw& law) {
+  const LawFunction& f = law.function->law();
+  law.traced = std::make_shared<const Traced>(trace(f.function.runtime(), f));
+  law.captured = captured_values(f.function);
+}
+
+bool same_nodes(const Expressions& g, const Expressions& h) {
+  if (g.size() != h.size() || g.inputs() != h.inputs() || g.splines() != h.splines()) return false;
+  for (std::size_t i = 0; i < g.size(); i++) {
+    const Expressions::Node &m = g[static_cast<Expr>(i)], &n = h[static_cast<Expr>(i)];
+    const bool same = m.kind == n.kind && m.function == n.function && m.value == n.value && m.index == n.index;
+    if (!same || m.terms != n.terms) return false;
+  }
+  return true;
+}
+
+/// Whether a law would be traced to what it was.
+bool reads_the_same(const ResolvedLaw& law) {
+  if (!law.traced) return false;
+  const LawFunction& f = law.function->law();
+  const Traced now = trace(f.function.runtime(), f), &then = *law.traced;
+  return now.refusal.empty() && now.outputs == then.outputs && same_nodes(now.graph, then.graph);
+}
+
 ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, World& world, bool exchangeable) {
   const auto called = std::make_shared<CalledLaw>(f);
   check_runs(*called);
@@ -121,12 +146,16 @@ ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, World& world, bool e
   }
   std::vector<double> values;
   for (const pantin::Parameter& p : f.def.parameters) values.push_back(p.value);
-  if (law) return {{law}, values, called, spec.solve, captured_values(f.function)};
+  if (law) {
+    ResolvedLaw ready{{law}, values, called, spec.solve, {}, {}};
+    note_read(ready);
+    return ready;
+  }
   require(!spec.strict, spec.word, ": strict = true, and the law cannot be traced: ", reason);
   require(spec.solve == Solve::explicitly, spec.word,
           ": implicit needs a law that can be traced, and this one cannot: ", reason);
   warn(world, spec, f, reason);
-  return {{called_law(called)}, values, nullptr, Solve::explicitly};
+  return {{called_law(called)}, values, nullptr, Solve::explicitly, 0, {}};
 }
 
 }  // namespace
@@ -171,31 +200,28 @@ ResolvedLaw resolve_law(lua_State* state, int index, World& world, std::span<con
 }
 
 bool has_changed(const ResolvedLaw& law) {
-  return law.function && captured_values(law.function->law().function) != law.captured;
+  if (!law.function) return false;
+  return law.captured ? captured_values(law.function->law().function) != law.captured : !reads_the_same(law);
 }
 
 namespace {
 
 bool same_expressions(const Law& a, const Law& b) {
-  const Expressions &g = a.graph, &h = b.graph;
-  const bool alike = g.size() == h.size() && a.force == b.force && a.energy == b.energy && a.stiffness == b.stiffness &&
-                     g.inputs() == h.inputs() && g.splines() == h.splines();
-  for (std::size_t i = 0; alike && i < g.size(); i++) {
-    const Expressions::Node &m = g[static_cast<Expr>(i)], &n = h[static_cast<Expr>(i)];
-    const bool same = m.kind == n.kind && m.function == n.function && m.value == n.value && m.index == n.index;
-    if (!same || m.terms != n.terms) return false;
-  }
-  return alike;
+  return a.force == b.force && a.energy == b.energy && a.stiffness == b.stiffness && same_nodes(a.graph, b.graph);
 }
 
 }  // namespace
 
 bool trace_again(ResolvedLaw& law) {
   std::string reason;
+  if (reads_the_same(law)) {
+    law.captured = captured_values(law.function->law().function);
+    return true;
+  }
   const std::shared_ptr<const Law> traced = try_trace(*law.function, reason);
   if (!traced) return false;
   if (!same_expressions(*traced, *law.laws.front())) law.laws = {traced};
-  law.captured = captured_values(law.function->law().function);
+  note_read(law);
   return true;
 }
 

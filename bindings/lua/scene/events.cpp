@@ -340,7 +340,7 @@ void run_behaviours(Script& script) {
     return 1;
   });
   watch_touch(script);
-  recheck_laws(script.world, script.laws, script.runtime.runs());
+  recheck_laws(script.world, script.laws, script.runtime);
 }
 
 const Type& subscription_type() {

@@ -228,7 +228,7 @@ void visit_spec(HeapWriter& heap, Writer& to, LawSpec& spec) { visit_law_spec(he
 void visit_spec(HeapReader& heap, Reader& from, LawSpec& spec) { visit_law_spec(heap, from, spec); }
 
 void find_captured(ResolvedLaw& law) {
-  if (law.captured != 0 && law.function) law.captured = captured_values(law.function->law().function);
+  if (law.captured != 0u && law.function) law.captured = captured_values(law.function->law().function);
 }
 
 }  // namespace pantin::lua
