@@ -236,7 +236,7 @@ TEST_CASE("what cannot be traced is told, with the line") {
              Contains("scene.lua:1: traced, the force is 0 and called it is "));
   CHECK_THAT(reason("return math.tointeger(math.floor(math.min(r, 9))) * 1.0"),
              Contains("scene.lua:2: the kind or the digits of a value"));
-  CHECK_THAT(reason("return scene.time * r"), Contains("scene.lua:2: it reads time of a thing"));
+  CHECK_THAT(reason("return scene.step * r"), Contains("scene.lua:2: it reads step of a thing"));
   CHECK_THAT(reason("local x = 0 for i = 1, 7 do if r < i and a.charge < i then x = x + 1 end end return x"),
              Contains("more than"));
   // Texts that are equal or not are no concern of numbers; nor are tests that are allowed.

@@ -80,3 +80,24 @@ test("a table that grows large while the scene runs hides nothing of what a law 
   expect(v.x):near((0.25 * 2 + 0.25 * 4) / 2, 1e-9)
   expect(#scene.log):equal(0)
 end)
+
+test("scene.time in a law is the time of its kick, whether it is traced or called", function()
+  for _, more in ipairs { "", "0 * other.mass + " } do
+    local v, scene = speed("local other = scene:particle {}", "vec(" .. more .. "math.sin(9 * scene.time), 0, 0)")
+    local n, h = 240, 1 / 240
+    local sum = 0
+    for i = 1, n - 1 do sum = sum + math.sin(9 * i * h) end
+    expect(v.x):near((sum + 0.5 * math.sin(9)) * h / 2, 1e-12)
+    expect(#scene.log):equal(more == "" and 0 or 1)
+  end
+end)
+
+test("a potential that reads scene.time has no energy, as one that takes the time", function()
+  for _, more in ipairs { "", "0 * other.mass + " } do
+    local v, scene = speed("local other = scene:particle {} scene:field(scene, force.point { potential = function(p) return " ..
+      more .. "scene.time * p.position.x end })", "vec(0, 0, 0)")
+    expect(scene.energy.potential):equal(0)
+    expect(v.x):near(-0.25, 1e-4)
+    expect(scene.error.worst_energy):below(1e-4)
+  end
+end)

@@ -22,7 +22,7 @@ void want_three(std::vector<Input>& wanted, Role role, int who) {
 /// The calls over one block.
 class CalledLaw::Calls : public LawRun {
  public:
-  Calls(const CalledLaw& called, const Block& block);
+  Calls(CalledLaw& called, const Block& block);
 
   /// Calls for one pair or particle and writes its outputs.
   void evaluate(lua_State* state, LawCall& call, std::size_t k) {
@@ -41,6 +41,7 @@ class CalledLaw::Calls : public LawRun {
   void push_attribute(lua_State* state, int who, std::size_t index) override;
   void push_parameter(lua_State* state, std::size_t index) override;
   void push_noise(lua_State* state, int index) override;
+  bool on_thing(lua_State* state, std::string_view field, bool of_scene) override;
 
  private:
   double value(Role role, int who = 0, std::size_t i = 0) const {
@@ -58,6 +59,7 @@ class CalledLaw::Calls : public LawRun {
     if (const auto i = static_cast<std::size_t>(output); i < block_.outputs.size()) block_.outputs[i][k_] = x;
   }
 
+  CalledLaw& called_;
   const Block& block_;
   const int known_noises_;
   std::array<std::array<std::size_t, 4>, role_count>
@@ -66,8 +68,8 @@ class CalledLaw::Calls : public LawRun {
   bool at_cutoff_ = false;  ///< the call is for the energy that a cutoff takes off
 };
 
-CalledLaw::Calls::Calls(const CalledLaw& called, const Block& block)
-    : LawRun(called.law_), block_(block), known_noises_(called.noises) {
+CalledLaw::Calls::Calls(CalledLaw& called, const Block& block)
+    : LawRun(called.law_), called_(called), block_(block), known_noises_(called.noises) {
   const std::vector<Input> wanted = called.inputs_wanted();
   for (std::size_t column = wanted.size(); column-- > 0;)
     first_[static_cast<std::size_t>(wanted[column].role)][wanted[column].who] = column;
@@ -109,6 +111,16 @@ void CalledLaw::Calls::push_noise(lua_State* state, int index) {
                         " times here, and less often when it was checked; call "
                         "it as often whatever the values"));
   lua_pushnumber(state, value(Role::noise, 0, static_cast<std::size_t>(index)));
+}
+
+bool CalledLaw::Calls::on_thing(lua_State* state, std::string_view field, bool of_scene) {
+  if (of_scene && field == "time" && !is_curve(law.form)) {
+    called_.reads_time = true;
+    push(state, Seen::time, 0);
+    return true;
+  }
+  if (!of_scene) called_.reads = field;
+  return false;
 }
 
 std::string CalledLaw::Calls::seen() const {

@@ -25,7 +25,9 @@ class CalledLaw final : public Called {
   std::size_t forces() const;
 
   const LawFunction& law() const { return law_; }
-  int noises = 16;  ///< columns of noise that are wanted
+  int noises = 16;          ///< columns of noise that are wanted
+  bool reads_time = false;  ///< of the scene
+  std::string reads;        ///< a field of a thing, "position"; empty where it has read none yet
 
  private:
   class Calls;

@@ -76,8 +76,8 @@ class LawRun {
   virtual void push_attribute(lua_State* state, int who, std::size_t index) = 0;
   virtual void push_parameter(lua_State* state, std::size_t index) = 0;
   virtual void push_noise(lua_State* state, int index) = 0;
-  /// A field of a thing of the scene is read.
-  virtual void on_thing(lua_State*, const char*) {}
+  /// A field of a thing, or of the scene, is read. True: its value is at the top.
+  virtual bool on_thing(lua_State* state, std::string_view field, bool of_scene) = 0;
 
   /// Ends the run for a fault of the scene, which no way of running the law forgives. The text gets the line.
   [[noreturn]] void mistake(lua_State* state, const std::string& text);

@@ -173,7 +173,8 @@ std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function
   law.called = function;
   law.inputs_wanted = function->inputs_wanted();
   law.velocity_dependent = !is_potential(f.form);
-  law.timed = function->noises > 0 || (takes_time(f) && depends_on_time(*function, sample_times));
+  law.timed =
+      function->noises > 0 || ((takes_time(f) || function->reads_time) && depends_on_time(*function, sample_times));
   law.called_energy = is_potential(f.form) && !law.timed && !law.one_sided;
   return std::make_shared<const Law>(std::move(law));
 }
@@ -213,11 +214,11 @@ bool same_expressions(const Law& a, const Law& b) {
 }  // namespace
 
 bool trace_again(ResolvedLaw& law) {
-  std::string reason;
   if (reads_the_same(law)) {
     law.captured = captured_values(law.function->law().function);
     return true;
   }
+  std::string reason;
   const std::shared_ptr<const Law> traced = try_trace(*law.function, reason);
   if (!traced) return false;
   if (!same_expressions(*traced, *law.laws.front())) law.laws = {traced};

@@ -163,7 +163,11 @@ void Trace::push_noise(lua_State* state, int index) {
   SymbolAlgebra(state).push(state, graph.input(component(Role::noise, 0, index)));
 }
 
-void Trace::on_thing(lua_State* state, const char* field) {
+bool Trace::on_thing(lua_State* state, std::string_view field, bool of_scene) {
+  if (of_scene && field == "time" && !is_curve(law.form)) {
+    push(state, Seen::time, 0);
+    return true;
+  }
   refuse(state, text("it reads ", field,
                      " of a thing, which may change while the law goes on; read it outside of the "
                      "function, or make it one of the law's parameters"));

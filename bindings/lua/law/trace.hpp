@@ -19,7 +19,7 @@ class Trace : public LawRun {
   void push_attribute(lua_State* state, int who, std::size_t index) override;
   void push_parameter(lua_State* state, std::size_t index) override;
   void push_noise(lua_State* state, int index) override;
-  void on_thing(lua_State* state, const char* field) override;
+  bool on_thing(lua_State* state, std::string_view field, bool of_scene) override;
 
   /// The side that this run takes at a condition, an expression that is 0 or 1.
   bool decide(lua_State* state, Expr condition);

@@ -73,7 +73,8 @@ int index(lua_State* state) {
   if (found == LUA_TLIGHTUSERDATA) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
     if (!field.of_dead) require_alive(self.ref);
-    if (LawRun* law = Runtime::of(state).law) law->on_thing(state, field.name);
+    if (LawRun* law = Runtime::of(state).law)
+      if (law->on_thing(state, field.name, self.ref.kind == Kind::scene)) return 1;
     if (field.read)
       field.read(self);
     else
