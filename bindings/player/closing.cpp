@@ -9,6 +9,7 @@
 #include "fields/measures.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
@@ -30,6 +31,15 @@ std::string suspects(const World& world) {
   return names.empty() ? "" : text("; without an energy of their own act ", names);
 }
 
+/// Potentials whose energy no force of theirs on what they read pays for.
+std::string unpaid(const World& world) {
+  std::string all;
+  for (const std::string& name : lua::one_sided_potentials(world)) all += (all.empty() ? "" : ", ") + name;
+  if (all.empty()) return "";
+  return "; potentials that read what they act on with no force give and take energy, which no shorter step mends: " +
+         all;
+}
+
 /// Whether ties contradict each other, or are pulled farther than they reach.
 bool is_torn(const World& world) {
   return std::ranges::any_of(
@@ -39,7 +49,8 @@ bool is_torn(const World& world) {
 /// What to do about an energy that went wrong.
 std::string remedy(const World& world, const std::string& path) {
   if (is_torn(world)) return "; it goes where ties cannot be kept, which no shorter step mends";
-  return text("; `pantin report ", path, "` compares steps and integrators", try_accuracy(world), suspects(world));
+  return text(unpaid(world), "; `pantin report ", path, "` compares steps and integrators", try_accuracy(world),
+              suspects(world));
 }
 
 }  // namespace

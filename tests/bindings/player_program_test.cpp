@@ -258,6 +258,14 @@ TEST_CASE("program: a run whose energy went wrong says so, and what finds a bett
   )");
   CHECK_THAT(use(folder, {"run", "pushed.lua", "--until", "0.1"}).out,
              Contains("`pantin report pushed.lua`") && Contains("without an energy of their own act shove"));
+  write_file(folder / "chase.lua", R"(
+    scene.gravity = vec(0, 0, 0)
+    local leader, other = scene:particle { at = vec(1, 0, 0), velocity = vec(0, 9, 0) }, scene:particle {}
+    scene:field(scene:group("others"):add(other), force.point { name = "pull", potential = function(p)
+      local d = p.position - leader.position return 20 * d:dot(d) end })
+  )");
+  CHECK_THAT(use(folder, {"run", "chase.lua", "--until", "1"}).out,
+             Contains("which no shorter step mends: pull (position of a thing)"));
 }
 
 TEST_CASE("program: tests in Lua") {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "lua/law/fallback.hpp"
 #include "lua/law/recheck.hpp"
 #include "lua/scene/heap.hpp"
 #include "lua/scene/parameters.hpp"
@@ -48,5 +49,18 @@ std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::str
 }
 
 void start_limits() { start_watchdog(); }
+
+std::set<std::string> one_sided_potentials(const World& world) {
+  std::set<std::string> names;
+  const auto look = [&](const Law& law) {
+    const auto* called = dynamic_cast<const CalledLaw*>(law.called.get());
+    if (called && law.called_energy && !called->reads.empty())
+      names.insert(text(law.name, " (", called->reads, " of a thing)"));
+  };
+  for (const auto id : world.interactions.ids()) look(*world.interactions[id].law);
+  for (const auto id : world.connections.ids()) look(*world.connections[id].law);
+  for (const auto id : world.fields.ids()) look(*world.fields[id].law);
+  return names;
+}
 
 }  // namespace pantin::lua

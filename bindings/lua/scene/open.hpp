@@ -1,6 +1,7 @@
 #pragma once
 // From a Lua file to a scene.
 #include <memory>
+#include <set>
 #include <string>
 
 #include "scene/scene.hpp"
@@ -12,6 +13,9 @@ std::unique_ptr<Scene> open_scene(const std::string& path, const SceneOptions& o
 /// The same for a text, called `name` in messages; `require` looks in `folder`.
 std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::string& name, const std::string& folder,
                                        const SceneOptions& options);
+
+/// Potentials of the scene whose energy changes with things on which they do not act: "pull (position of a thing)".
+std::set<std::string> one_sided_potentials(const World& world);
 
 /// The thread that looks after the limits of scripts is there from here on, where a process may start none later.
 void start_limits();
