@@ -272,3 +272,28 @@ for _, rate in ipairs { 60, 240 } do
     expect(scene.energy.kinetic):near(start, 1e-3)
   end)
 end
+
+local arm_on_floor = [[
+  scene.plane, scene.step = "xy", 1 / $hz
+  scene:floor { friction = 0.8 }
+  local arm = scene:box { name = "arm", size = vec(3, 0.2, 0.3), at = vec(1.5, 0.5, 0), points = { root = vec(-1.5, 0, 0) } }
+  scene:nail(arm.root)
+  scene:motor(arm, { $wanted, max_torque = $torque })
+]]
+
+for wanted, text in pairs { ["to an angle"] = "angle = function(t) return -math.min(0.5, 0.2 * t) end", ["at a speed"] = "speed = -0.2" } do
+  test("a motor that presses an arm on the floor with all its torque does nothing once it rests: " .. wanted, function()
+    for _, hz in ipairs { 60, 240 } do
+      for _, torque in ipairs { 2e4, 2e5, 1e6 } do
+        local scene = open_text((arm_on_floor:gsub("%$(%w+)", { hz = hz, wanted = text, torque = torque })))
+        scene:advance(3)
+        local done, at = scene.ledger.motor, scene:find("arm").position
+        scene:advance(2)
+        expect(scene.ledger.motor):near(done, 1)
+        expect((scene:find("arm").position - at):length()):below(1e-6)
+        expect(scene.error.energy):below(1e-4)
+        expect(scene.error.penetration):below(1e-5)
+      end
+    end
+  end)
+end

@@ -11,6 +11,7 @@
 // diagonal of the Delassus operator G M⁻¹ G': how much a unit impulse changes its own velocity [1/kg].
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -99,7 +100,12 @@ struct IslandScalar {
   double earlier_impulse = 0.0;                ///< [N s] as of ties
 
   bool is_bounded() const { return low > -infinity || high < infinity; }
-  bool is_at_bound() const { return is_bounded() && (impulse <= low || impulse >= high); }
+  /// As near as a search comes to it.
+  bool is_at_bound() const {
+    constexpr double near = 1e-6;
+    const double range = high - low, within = std::isfinite(range) ? near * range : 0.0;
+    return is_bounded() && (impulse <= low + within || impulse >= high - within);
+  }
 };
 
 /// What impulses do to a body: [N s], [N m s] about its centre, world axes.
