@@ -105,7 +105,9 @@ class TakeBack {
   /// Whether a contact touches still, and is no blow of free bodies: those are as fast then as they were.
   bool touches_on(std::size_t k) const {
     const Contact* c = now_[k].touching;
-    return c != nullptr && (c->rebound == 0.0 || island_.problem.is_tied());
+    if (c == nullptr || island_.problem.is_tied()) return c != nullptr;
+    return c->rebound == 0.0 &&
+           !(c->gap_before > closed_gap * c->size && c->approach < -slow_of(settings_, island_.problem));
   }
   /// What contacts gave that touch no more: as they gave it.
   void lose_as_then() {

@@ -193,3 +193,21 @@ for what, text in pairs(mirrored) do
     end
   end)
 end
+
+for friction in pairs { [0.6] = true, [1.2] = true } do
+  test("a stick that slides tip first into a rough floor sticks and vaults over, at any step: friction " .. friction, function()
+    for _, hz in ipairs { 60, 240, 960 } do
+      local scene = open_text((([[
+        scene.step = 1 / $hz
+        scene:floor { friction = $friction }
+        scene:body { name = "stick", orientation = quat(vec(0, 0, 1), math.rad(-30)), velocity = vec(-5, 0, 0),
+                     at = vec(0.5 * math.cos(math.rad(60)), 0.03 + 0.5 * math.sin(math.rad(60)), 0),
+                     shapes = { shape.capsule(0.02, 1, { friction = $friction, density = 100 }),
+                                shape.ball(0.05, { friction = $friction, density = 8000 }) } }
+      ]]):gsub("%$(%w+)", { hz = hz, friction = friction })))
+      scene:advance(0.09)
+      expect(scene:find("stick").spin.z):near(7.96, 0.05)  -- a plastic blow in the plane, by hand
+      expect(scene.error.energy):below(1e-9)
+    end
+  end)
+end

@@ -203,10 +203,20 @@ void search_calm(Search& search, SearchEffort effort) {
   search.report.failed = is_many ? left > 0.1 * first : failed || search.report.failed;
 }
 
+/// Whether nothing presses without impulses: then nothing does, though friction may hold what would go (Painlevé).
+bool opens_alone(ContactIsland& island) {
+  start_without_impulses(island);
+  observe(island);
+  return std::all_of(island.contacts.begin(), island.contacts.end(),
+                     [](const IslandContact& c) { return c.u[0] >= 0.0; });
+}
+
 }  // namespace
 
 IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSearch wanted) {
   prepare(island);
+  if (!island.is_tied() && is_small(island) && opens_alone(island))
+    for (IslandContact& c : island.contacts) c.start = c.other_start = c.impulse = zero3();
   choose_start(island);
   const bool springs = island.has_springs() && island.contacts.size() <= many;
   Search search{island, wanted == ContactSearch::exact || springs};
