@@ -33,7 +33,7 @@ struct TouchReport {
   double belts = 0.0;         ///< [J] what moving surfaces may have given of it
   double wrong = 0.0;         ///< [J] that contacts gave and should not have
   double taken_back = 0.0;    ///< [J] of that, at the end of the step
-  double gravity = 0.0;       ///< [J] that gravity gives from rest in the step to what touches
+  double from_rest = 0.0;     ///< [J] that forces give from rest in the step to what touches
   double beside_falls = 0.0;  ///< [J] what gravity does in the drift beyond its kicks, by what contacts gave before it
   ImpulseWork ties;           ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;

@@ -38,14 +38,20 @@ void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSe
       island.problem.bodies[i].v0 -= model.plane.along(settings.gravity) * (0.5 * settings.h);
 }
 
-/// [J] It gives to an island from rest in a step, or over a way that is nothing to what touches.
-double gravity_in_step(const TouchIsland& island, const Contacts& contacts, const TouchSettings& settings) {
+/// [J] What gravity, pushes and soft rows give to an island from rest in a step, or over a way that is nothing to what touches.
+double forces_in_step(const Model& model, const TouchIsland& island, const Contacts& contacts,
+                      const TouchSettings& settings) {
   constexpr double nothing = 1e-6;  // of the size
-  double mass = 0.0, size = 0.0;
-  for (const IslandBody& b : island.problem.bodies) mass += b.mass;
+  double size = 0.0, energy = 0.0;
   for (const std::size_t k : island.contacts) size = std::fmax(size, contacts.list[k].size);
-  const double g = norm(settings.gravity);
-  return mass * g * std::fmax(0.5 * g * settings.h * settings.h, nothing * size);
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    const double mass = island.problem.bodies[i].mass;
+    Vec3 force = settings.gravity * mass + island.pulls[i].force;
+    if (!is_point(island.things[i])) force += model.motion[island.things[i]].force;
+    const double f = norm(force);
+    energy += f * std::fmax(0.5 * f / mass * settings.h * settings.h, nothing * size);
+  }
+  return energy;
 }
 
 /// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
@@ -230,7 +236,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
     take_half_of_gravity(model, island, settings);
     foresee_spins(model, island, h);
     want_no_overlaps(island, contacts, h, slow);
-    report.gravity += gravity_in_step(island, contacts, settings);
+    report.from_rest += forces_in_step(model, island, contacts, settings);
     foresee_forces(model, island, settings);
     start_rolls(problem, contacts, island.contacts, &Contact::place_moment);
     start_ties(island, articulates, Pass::place);

@@ -271,7 +271,7 @@ void place_contacts(World& world) {
   settings.foresees = true;
   begin_placing(world, world.articulates, world.contacts, settings);
   for (int round = 1;; round++) {
-    report.gravity = 0.0;
+    report.from_rest = 0.0;
     report.unsolved = 0;
     find_placing(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, report);
     if (round == most_rounds || !find_more(world, drifted)) break;
@@ -282,7 +282,7 @@ void place_contacts(World& world) {
   post_falling(world, report.beside_falls);
   post_laws_beside_kicks(world, before);
   // In a scene at rest there is no other energy to hold errors against.
-  world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
+  world.largest_kinetic = std::max(world.largest_kinetic, report.from_rest);
   count(world, report);
 }
 

@@ -316,3 +316,14 @@ test("balls that graze each other keep their energy when nothing takes any", fun
     end
   end
 end)
+
+test("what a push holds on a floor at rest without gravity has no energy error", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:floor {}
+    local box = scene:box { size = 0.5, at = vec(0, 0.25, 0) }
+    scene:on("step", function() box:push(vec(0, -1000, 0)) end)
+  ]]
+  scene:advance(1)
+  expect(scene.error.worst_energy):below(1e-9)
+end)
