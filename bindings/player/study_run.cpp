@@ -41,12 +41,13 @@ class EnergyWatch {
     looks_++;
     const double outside = std::fabs(world.work);
     const double wrong = world.error.energy * std::max(world.largest_kinetic, outside);
-    right_ = right_ && wrong <= tolerable * std::max(kinetic_ / looks_, outside);
+    right_ = right_ && (world.error.energy <= nothing || wrong <= tolerable * std::max(kinetic_ / looks_, outside));
     return right_;
   }
 
  private:
   static constexpr double tolerable = 0.1;
+  static constexpr double nothing = 1e-6;  ///< of the largest kinetic energy: as what rests has
   double kinetic_;      ///< [J] sum over the looks
   double looks_ = 1.0;  ///< the start is the first
   bool right_ = true;

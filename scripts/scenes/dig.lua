@@ -39,7 +39,7 @@ local shovel = scene:body {
   points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
 }
 -- Its handle is led from place to place, a second and a half from each to the next, and tipped: x and y [m], angle [rad].
-local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.46, -0.25 }, { 0.42, 0.46, -0.25 }, { 0.45, 0.75, 0.8 },
+local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.4, -0.25 }, { 0.56, 0.4, -0.25 }, { 0.56, 0.75, 0.8 },
                 { 0.5, 1.5, 0.7 }, { 1.7, 1.5, 0.7 }, { 1.7, 1.5, -1.5 }, { 0.3, 1.8, -0.6 } }
 local function led(k)
   return function(t)

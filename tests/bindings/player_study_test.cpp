@@ -114,6 +114,18 @@ TEST_CASE("report: where shorter steps show nothing new longer ones are tried st
   CHECK_THAT(advice(study), Catch::Contains("scene.step = 1/60 (the longest tried)"));
 }
 
+TEST_CASE("report: what rests on a floor before something moves loses no energy") {
+  const Study study = study_text(R"(
+    scene:floor {}
+    for k = 1, 3 do scene:box { size = 1, at = vec(3, k - 0.5, 0) } end
+    local ball = scene:ball { radius = 0.2, at = vec(0, 0.2, 0) }
+    scene:at(0.5, function() ball.velocity = vec(1, 0, 0) end)
+  )",
+                                 1.0);
+  CHECK_THAT(advice(study), !Catch::Contains("No step can be recommended"));
+  CHECK_THAT(advice(study), Catch::Contains("choose scene.step"));
+}
+
 TEST_CASE("report: where something moves that no step followed, no scene is said to be at rest") {
   const Study study = study_text(R"(
     scene.gravity = vec(0, 0, 0)

@@ -182,6 +182,22 @@ local mirrored = {
   ]],
 }
 
+mirrored["a car whose hinges stand beside its wheels"] = [[
+    scene:floor { friction = 0.8 }
+    local body = scene:box { name = "body", size = vec(2.4, 0.4, 1), at = vec(0, 0.6, 0), density = 300, velocity = vec(15, 0, 0), layer = "car" }
+    scene:collide("car", "car", false)
+    for x = -0.9, 0.9, 1.8 do
+      for z = -0.6, 0.6, 1.2 do
+        local wheel = scene:cylinder { radius = 0.35, length = 0.15, axis = vec(0, 0, 1), at = vec(x, 0.35, z), density = 300, friction = 0.8,
+                                       velocity = vec(15, 0, 0), spin = vec(0, 0, -15 / 0.35), layer = "car" }
+        for _, beside in ipairs { -0.3, -0.2 } do
+          scene:hinge(body:add_point(vec(x, -0.25, z + beside)), wheel:add_point(vec(0, 0, beside)))
+        end
+        if x > 0 then scene:at(0.5, function() scene:motor(wheel, body, { axis = vec(0, 0, 1), speed = 0 }) end) end
+      end
+    end
+  ]]
+
 for what, text in pairs(mirrored) do
   test("what is the same on both sides goes straight, however many points it stands on: " .. what, function()
     for _, hz in ipairs { 60, 240 } do
@@ -211,3 +227,40 @@ for friction in pairs { [0.6] = true, [1.2] = true } do
     end
   end)
 end
+
+test("what is welded bears alike on all its feet, and a string between things at rest pulls nothing", function()
+  local scene = open_text [[
+    scene:floor { friction = 0 }
+    local bar = scene:box { name = "bar", size = vec(1.8, 0.1, 0.2), at = vec(0, 0.65, 0), density = 300 }
+    for x = -0.8, 0.8, 1.6 do
+      for side = -1, 1, 2 do
+        local leg = scene:body { at = vec(x, 0.6, 0.4 * side), layer = "leg", shapes = {
+          shape.box(0.1, 0.1, 0.6), shape.ball(0.1, { at = vec(0, -0.5, -0.1) }), shape.ball(0.1, { at = vec(0, -0.5, 0.1) }) } }
+        scene:weld(bar, leg)
+      end
+    end
+    scene:collide("leg", "leg", false)
+  ]]
+  scene:advance(1)
+  local least, most = math.huge, 0
+  for _, leg in ipairs(scene.bodies) do
+    for _, contact in ipairs(leg.contacts) do
+      local load = contact.force:length()
+      if load > 0 then least, most = math.min(least, load), math.max(most, load) end
+    end
+  end
+  expect(most):above(0)
+  expect(least / most):near(1, 0.02)
+
+  scene = open_text [[
+    scene:floor { friction = 1 }
+    local a = scene:box { size = vec(0.4, 0.8, 0.4), at = vec(-1, 0.4, 0), points = { f = vec(0.2, 0, 0) } }
+    local b = scene:box { size = vec(0.4, 0.8, 0.4), at = vec(1, 0.4, 0), points = { f = vec(-0.2, 0, 0) } }
+    local rope = scene:string { a.f, b.f }
+    scene:probe("pull", function() return rope.force end)
+  ]]
+  for _ = 1, 20 do
+    scene:step()
+    expect(scene:read "pull"):near(0, 1e-6)
+  end
+end)

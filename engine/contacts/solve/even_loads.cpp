@@ -35,8 +35,9 @@ Bearing bearing_of(const IslandContact& c, double tolerance) {
 
 struct Evening {
   ContactIsland& island;
-  double stiffness = 1e8;  // of contacts, of 1 / w
+  double stiffness = 1e4;  // of contacts, of 1 / w: that of ties is a thousand times as large
   std::vector<Bearing> bearings = {};
+  std::vector<char> holds = {};  // scalars
   std::vector<BodyLoad> load = {}, change = {};
 
   void factorise_bearings() {
@@ -52,15 +53,22 @@ struct Evening {
       if (!b.slides) contacts[k] += (identity33() - outer(n, n)) * (stiffness / c.wt);
     }
     std::vector<double> scalars;
-    for (const IslandScalar& s : island.scalars) scalars.push_back(stiffness_of(s));
+    for (std::size_t k = 0; k < holds.size(); k++) scalars.push_back(stiffness_of(k));
     factorise(island, island.all, contacts, rolls, scalars, symmetric);
   }
-  static double stiffness_of(const IslandScalar& s) { return s.is_at_bound() ? 0.0 : tie_stiffness / s.w; }
+  double stiffness_of(std::size_t scalar) const {
+    const IslandScalar& s = island.scalars[scalar];
+    return !holds[scalar] ? 0.0 : (s.is_bounded() ? stiffness : tie_stiffness) / s.w;
+  }
 
-  void forget_loads() {
-    for (IslandContact& c : island.contacts) c.impulse = zero3();
+  void forget_ties() {
     for (IslandTie& t : island.ties)
       if (t.softness == 0.0) t.impulse = zero3();
+  }
+  void forget_loads() {
+    for (IslandContact& c : island.contacts) c.impulse = zero3();
+    for (std::size_t k = 0; k < holds.size(); k++)
+      if (holds[k]) island.scalars[k].impulse = 0.0;
   }
   /// Adds what velocities at contacts and ties ask for.
   void follow(Vec3 IslandBody::*v, Vec3 IslandBody::*w) {
@@ -75,7 +83,10 @@ struct Evening {
     }
     for (IslandTie& t : island.ties)
       t.impulse -= (all ? t.u : velocity_of(t, island.bodies, v, w)) * pantin::stiffness_of(t);
-    for (IslandScalar& s : island.scalars) s.impulse -= (all ? s.u : velocity_of(island, s, v, w)) * stiffness_of(s);
+    for (std::size_t k = 0; k < holds.size(); k++) {
+      IslandScalar& s = island.scalars[k];
+      s.impulse -= (all ? s.u : velocity_of(island, s, v, w)) * stiffness_of(k);
+    }
   }
   void step() {
     follow(&IslandBody::v, &IslandBody::w);
@@ -118,6 +129,13 @@ struct Evening {
         continue;
       any = true;
     }
+    for (std::size_t k = 0; k < holds.size(); k++) {
+      IslandScalar& s = island.scalars[k];
+      if (!holds[k] || (s.impulse >= s.low && s.impulse <= s.high)) continue;
+      s.impulse = std::clamp(s.impulse, s.low, s.high);
+      holds[k] = 0;
+      any = true;
+    }
     return any;
   }
 };
@@ -127,7 +145,8 @@ struct Evening {
 bool has_even_loads(const ContactIsland& island) { return is_small(island) && is_even(island); }
 
 void even_loads(ContactIsland& island) {
-  constexpr int most_rounds = 6, most_steps = 3;
+  constexpr int most_rounds = 6, most_steps = 4;
+  constexpr int most_passes = 2;  // from no loads: the second knows what ties bear, which is to count for nothing
   constexpr double nothing = 1e-3;
   constexpr std::uint32_t most_of_newton = 4;
   const auto bears = [](const IslandContact& c) { return c.impulse[0] > 0.0; };
@@ -136,11 +155,16 @@ void even_loads(ContactIsland& island) {
   found.keep(island, residual(island));
   Evening evening{island};
   for (const IslandContact& c : island.contacts) evening.bearings.push_back(bearing_of(c, island.tolerance));
+  for (const IslandScalar& s : island.scalars) evening.holds.push_back(!s.is_at_bound());
   set_base(island, island.all);
   for (int round = 0;; round++) {
     evening.factorise_bearings();
-    evening.forget_loads();
-    for (int i = 0; i < most_steps && (i == 0 || residual(island) > nothing * island.tolerance); i++) evening.step();
+    evening.forget_ties();
+    for (int i = 0; i < most_passes; i++) {
+      evening.forget_loads();
+      evening.step();
+    }
+    for (int i = 0; i < most_steps && residual(island) > nothing * island.tolerance; i++) evening.step();
     if (!evening.is_changed() || round == most_rounds) break;
   }
   double now = residual(island);
