@@ -48,8 +48,8 @@ class EnergyWatch {
  private:
   static constexpr double tolerable = 0.1;
   static constexpr double nothing = 1e-6;  ///< of the largest kinetic energy: as what rests has
-  double kinetic_;      ///< [J] sum over the looks
-  double looks_ = 1.0;  ///< the start is the first
+  double kinetic_;                         ///< [J] sum over the looks
+  double looks_ = 1.0;                     ///< the start is the first
   bool right_ = true;
 };
 
