@@ -101,3 +101,29 @@ test("a potential that reads scene.time has no energy, as one that takes the tim
     expect(scene.error.worst_energy):below(1e-4)
   end
 end)
+
+test("a law that looks up in a table what differs from particle to particle, or with the time, is called, and told", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local strength, thrust = { [7] = 5 }, { [1] = 3 }
+    local grains = scene:family("grains", { radius = 0.1, attributes = { kind = 0 } })
+    local rockets = scene:family("rockets", { radius = 0.1 })
+    scene:particle { family = rockets, mass = 1, name = "rocket" }
+    for i = 1, 40 do scene:particle { family = grains, mass = 1, at = vec(i, 0, 0), kind = i == 20 and 7 or 3, name = "grain " .. i } end
+    scene:field(grains, force.point { force = function(p) return vec(strength[p.kind] or 0, 0, 0) end })
+    scene:field(rockets, force.point { force = function(p, own, t) return vec(thrust[math.floor(t)] or 0, 0, 0) end })
+    local list = { 1, 2 }
+    scene:field(rockets, force.point { force = function(p)
+      local sum = 0
+      for i = 1, 3 do sum = sum + (list[i] or 0) end
+      return vec(0, sum, 0)
+    end })
+  ]]
+  scene:advance(2)
+  expect(scene:find("grain 20").velocity.x):near(10, 1e-9)
+  expect(scene:find("grain 21").velocity.x):near(0, 1e-9)
+  expect(scene:find("rocket").velocity.x):near(3, 0.02)
+  expect(scene:find("rocket").velocity.y):near(6, 1e-9)
+  expect(#scene.log):equal(2)
+  expect((scene.log[1].text:find("a table is read at a value that differs from pair to pair", 1, true))):above(0)
+end)

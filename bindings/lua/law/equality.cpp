@@ -15,7 +15,7 @@ constexpr int first_release = 50400, last_release = 50406;
 // Signature, version, format, data that transfers break, sizes of an instruction, an integer and a number.
 constexpr std::string_view header("\x1bLua\x54\0\x19\x93\r\n\x1a\n\x04\x08\x08", 15);
 constexpr std::size_t header_size = header.size() + 8 + 8 + 1;
-constexpr std::uint32_t op_eq = 57, op_eqk = 60, op_eqi = 61;
+constexpr std::uint32_t op_gettable = 12, op_eq = 57, op_eqk = 60, op_eqi = 61;
 constexpr std::uint8_t integer_constant = 0x03, float_constant = 0x13, short_string = 0x04, long_string = 0x14;
 constexpr std::int8_t absolute_line = -0x80;
 
@@ -31,7 +31,10 @@ class Chunk {
     integer();
     skip(3);
     std::vector<std::uint32_t> code(count(4));
-    for (std::uint32_t& instruction : code) instruction = word();
+    for (std::uint32_t& instruction : code) {
+      instruction = word();
+      indexes_ = indexes_ || (instruction & 0x7f) == op_gettable;
+    }
     const std::vector<bool> numbers = constants();
     skip(3 * count(3));
     int inner = 0;
@@ -45,6 +48,8 @@ class Chunk {
       if (is_test(code[i], numbers)) return i < lines.size() ? lines[i] : first_line;
     return inner;
   }
+  /// Whether one of them reads a table at a value.
+  bool indexes() const { return indexes_; }
 
  private:
   static bool is_test(std::uint32_t instruction, const std::vector<bool>& numbers) {
@@ -140,6 +145,7 @@ class Chunk {
   }
 
   std::string_view rest_;
+  bool indexes_ = false;
 };
 
 int append(lua_State*, const void* bytes, std::size_t count, void* to) {
@@ -149,14 +155,17 @@ int append(lua_State*, const void* bytes, std::size_t count, void* to) {
 
 }  // namespace
 
-std::optional<int> line_of_equality(std::string_view function, int release) {
+std::optional<int> line_of_equality(std::string_view function, int release, bool* indexes) {
   if (release < first_release || release > last_release || !function.starts_with(header)) return {};
   try {
-    return Chunk(function).function();
+    Chunk chunk(function);
+    const int line = chunk.function();
+    if (indexes) *indexes = chunk.indexes();
+    return line;
   } catch (const Error&) { return {}; }
 }
 
-std::string equality_test(lua_State* state, int index) {
+Silent silent_of(lua_State* state, int index) {
   lua_Debug function;
   lua_pushvalue(state, index);
   lua_pushvalue(state, -1);
@@ -164,14 +173,18 @@ std::string equality_test(lua_State* state, int index) {
   std::string bytes;
   lua_dump(state, append, &bytes, 0);
   lua_pop(state, 1);
-  const std::optional<int> line = line_of_equality(bytes, LUA_VERSION_RELEASE_NUM);
-  if (line == 0) return "";
+  Silent silent;
+  const std::optional<int> line = line_of_equality(bytes, LUA_VERSION_RELEASE_NUM, &silent.indexes);
+  if (line == 0) return silent;
   if (!line)
-    return text(function.short_src, ":", function.linedefined, ": whether it tests numbers by == cannot be told in ",
-                LUA_RELEASE, " (exact = false traces it, with == false of every pair)");
-  return text(
-      function.short_src, ":", *line,
-      ": == or ~= on numbers cannot be traced, as it would be false of every pair (exact = false traces it so)");
+    silent.equality =
+        text(function.short_src, ":", function.linedefined, ": whether it tests numbers by == cannot be told in ",
+             LUA_RELEASE, " (exact = false traces it, with == false of every pair)");
+  else
+    silent.equality =
+        text(function.short_src, ":", *line,
+             ": == or ~= on numbers cannot be traced, as it would be false of every pair (exact = false traces it so)");
+  return silent;
 }
 
 }  // namespace pantin::lua

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lua/law/equality.hpp"
+#include "lua/law/key_guards.hpp"
 #include "lua/law/symbol.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/runtime.hpp"
@@ -39,11 +40,14 @@ Expr merged(Expressions& graph, const std::vector<Leaf>& leaves, std::size_t out
 /// Looks at every function of Lua that runs while the law is traced.
 class Watched {
  public:
-  Watched(lua_State* state, Runtime& runtime) : state_(state), runtime_(runtime) {
+  Watched(lua_State* state, Runtime& runtime, Trace& trace)
+      : state_(state), runtime_(runtime), trace_(trace), guards_(state) {
+    trace.guards = &guards_;
     lua_sethook(state, on_call, LUA_MASKCALL, 0);
     runtime.watch().switch_to(state);  // the time may have been up just then
   }
   ~Watched() {
+    trace_.guards = nullptr;
     lua_sethook(state_, nullptr, 0, 0);
     runtime_.watch().switch_to(state_);
   }
@@ -55,18 +59,21 @@ class Watched {
     auto* trace = dynamic_cast<Trace*>(Runtime::of(state).law);
     lua_getinfo(state, "Sf", frame);
     if (trace && std::string_view(frame->what) != "C") {
-      const std::string found = equality_test(state, -1);
-      if (!found.empty()) {
-        if (trace->refusal.empty()) trace->refusal = found;
-        lua_pushlstring(state, found.data(), found.size());
+      const Silent found = silent_of(state, -1);
+      if (!found.equality.empty()) {
+        if (trace->refusal.empty()) trace->refusal = found.equality;
+        lua_pushlstring(state, found.equality.data(), found.equality.size());
         lua_error(state);
       }
+      if (found.indexes && trace->guards) trace->guards->guard_seen_by_function(state);
     }
     lua_pop(state, 1);
   }
 
   lua_State* state_;
   Runtime& runtime_;
+  Trace& trace_;
+  KeyGuards guards_;
 };
 
 /// Red, green, blue and opacity of the color at the top, some of them traced; empty where it is none.
@@ -114,7 +121,7 @@ bool run_path(Runtime& runtime, Trace& trace, std::vector<Leaf>& leaves) {
       LawCall call(state, trace);
       {
         std::unique_ptr<Watched> watched;
-        if (trace.law.exact) watched = std::make_unique<Watched>(state, runtime);
+        if (trace.law.exact) watched = std::make_unique<Watched>(state, runtime, trace);
         call.call();
       }
       if (trace.mistook.empty() && trace.refusal.empty()) leaves.push_back({trace.path(), outputs_of(state, trace)});

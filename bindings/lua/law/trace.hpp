@@ -11,6 +11,8 @@
 
 namespace pantin::lua {
 
+class KeyGuards;
+
 class Trace : public LawRun {
  public:
   Trace(lua_State* state, const LawFunction& function);
@@ -35,7 +37,8 @@ class Trace : public LawRun {
   std::uint64_t serial() const { return serial_; }
 
   Expressions graph;
-  std::string refusal;  ///< why it cannot be traced; empty while it can
+  std::string refusal;          ///< why it cannot be traced; empty while it can
+  KeyGuards* guards = nullptr;  ///< of the run at hand, where it is watched
 
  private:
   struct Decision {
