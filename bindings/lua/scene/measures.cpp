@@ -40,9 +40,11 @@ int scene_find(lua_State* state) {
   if (lua_type(state, 2) == LUA_TNUMBER) {
     const double number = lua_tonumber(state, 2);
     require(number >= 1.0 && number == std::floor(number) && number < 0x1p53,
-            "find: argument 1, the number of a thing, must be a whole one >= 1, got ", number);
+            "find: argument 1, the number of a thing, must be a whole one from 1 to 9e15, got ", number);
     push_thing(state, *ref->script, find_numbered(world, static_cast<std::uint64_t>(number)));
   } else {
+    require(lua_type(state, 2) == LUA_TSTRING, "find: argument 1 must be a name, or the number of a thing, got ",
+            kind_of_value(state, 2));
     push_thing(state, *ref->script, find(world, check_text(state, 2, "find", "argument 1, the name,")));
   }
   return 1;
