@@ -150,8 +150,9 @@ test("a ball rolls on a slope that is steeper than its rolling friction by a tho
   end
 end)
 
-local mirrored = {
-  ["a car that brakes with its front wheels"] = [[
+--- A car of four wheels, each hinged at these places beside its middle, which brakes with its front wheels at 0.5 s.
+local function braking_car(places)
+  return ([[
     scene:floor { friction = 0.8 }
     local body = scene:box { name = "body", size = vec(2.4, 0.4, 1), at = vec(0, 0.6, 0), density = 300, velocity = vec(15, 0, 0), layer = "car" }
     scene:collide("car", "car", false)
@@ -159,11 +160,18 @@ local mirrored = {
       for z = -0.6, 0.6, 1.2 do
         local wheel = scene:cylinder { radius = 0.35, length = 0.15, axis = vec(0, 0, 1), at = vec(x, 0.35, z), density = 300, friction = 0.8,
                                        velocity = vec(15, 0, 0), spin = vec(0, 0, -15 / 0.35), layer = "car" }
-        scene:hinge(body:add_point(vec(x, -0.25, z)), wheel:add_point(vec(0, 0, 0)), { axis = vec(0, 0, 1) })
+        for _, place in ipairs { $places } do
+          scene:hinge(body:add_point(vec(x, -0.25, z + place)), wheel:add_point(vec(0, 0, place)), { axis = vec(0, 0, 1) })
+        end
         if x > 0 then scene:at(0.5, function() scene:motor(wheel, body, { axis = vec(0, 0, 1), speed = 0 }) end) end
       end
     end
-  ]],
+  ]]):gsub("%$places", places)
+end
+
+local mirrored = {
+  ["a car that brakes with its front wheels"] = braking_car("0"),
+  ["a car whose hinges stand beside its wheels"] = braking_car("-0.3, -0.2"),
   ["a plank on two belts that run towards each other"] = [[
     scene:ground { shapes = {
       shape.box(0.4, 0.4, 0.6, { at = vec(-0.5, -0.2, 0), friction = 0.3, surface_velocity = vec(4, 0, 0) }),
@@ -181,22 +189,6 @@ local mirrored = {
     scene:body { name = "body", shapes = shapes, at = vec(0, 0.15, 0), velocity = vec(6, 0, 0) }
   ]],
 }
-
-mirrored["a car whose hinges stand beside its wheels"] = [[
-    scene:floor { friction = 0.8 }
-    local body = scene:box { name = "body", size = vec(2.4, 0.4, 1), at = vec(0, 0.6, 0), density = 300, velocity = vec(15, 0, 0), layer = "car" }
-    scene:collide("car", "car", false)
-    for x = -0.9, 0.9, 1.8 do
-      for z = -0.6, 0.6, 1.2 do
-        local wheel = scene:cylinder { radius = 0.35, length = 0.15, axis = vec(0, 0, 1), at = vec(x, 0.35, z), density = 300, friction = 0.8,
-                                       velocity = vec(15, 0, 0), spin = vec(0, 0, -15 / 0.35), layer = "car" }
-        for _, beside in ipairs { -0.3, -0.2 } do
-          scene:hinge(body:add_point(vec(x, -0.25, z + beside)), wheel:add_point(vec(0, 0, beside)))
-        end
-        if x > 0 then scene:at(0.5, function() scene:motor(wheel, body, { axis = vec(0, 0, 1), speed = 0 }) end) end
-      end
-    end
-  ]]
 
 for what, text in pairs(mirrored) do
   test("what is the same on both sides goes straight, however many points it stands on: " .. what, function()

@@ -53,10 +53,10 @@ struct Evening {
       if (!b.slides) contacts[k] += (identity33() - outer(n, n)) * (stiffness / c.wt);
     }
     std::vector<double> scalars;
-    for (std::size_t k = 0; k < holds.size(); k++) scalars.push_back(stiffness_of(k));
+    for (std::size_t k = 0; k < holds.size(); k++) scalars.push_back(stiffness_of_scalar(k));
     factorise(island, island.all, contacts, rolls, scalars, symmetric);
   }
-  double stiffness_of(std::size_t scalar) const {
+  double stiffness_of_scalar(std::size_t scalar) const {
     const IslandScalar& s = island.scalars[scalar];
     return !holds[scalar] ? 0.0 : (s.is_bounded() ? stiffness : tie_stiffness) / s.w;
   }
@@ -81,11 +81,10 @@ struct Evening {
       const double n = -u[0] * stiffness / c.wn, by = b.slides ? 0.0 : -stiffness / c.wt;
       c.impulse += vec(n, b.slides ? b.d1 * n : u[1] * by, b.slides ? b.d2 * n : u[2] * by);
     }
-    for (IslandTie& t : island.ties)
-      t.impulse -= (all ? t.u : velocity_of(t, island.bodies, v, w)) * pantin::stiffness_of(t);
+    for (IslandTie& t : island.ties) t.impulse -= (all ? t.u : velocity_of(t, island.bodies, v, w)) * stiffness_of(t);
     for (std::size_t k = 0; k < holds.size(); k++) {
       IslandScalar& s = island.scalars[k];
-      s.impulse -= (all ? s.u : velocity_of(island, s, v, w)) * stiffness_of(k);
+      s.impulse -= (all ? s.u : velocity_of(island, s, v, w)) * stiffness_of_scalar(k);
     }
   }
   void step() {
