@@ -35,6 +35,9 @@ struct Joined {
   }
 };
 
+/// Whether it is a motor with a largest torque: it does not restore at once what it lost.
+bool gives_way_to_slowing(const Condition& c) { return is_limited(c) && std::isinf(c.bound_in_touch); }
+
 /// Of islands that are joined, whether any of them is this.
 struct Traits {
   bool missed = false, tied = false, driven = false, held = false, rubs_on_world = false, rebounds = false;
@@ -46,7 +49,8 @@ struct Traits {
     for (const std::uint32_t index : island.articulates) {
       const Articulate& a = *articulates[index];
       held = held || !is_free(a);
-      for (const Condition& c : a.conditions) driven = driven || c.value_rate != 0.0 || norm2(c.velocity) > 0.0;
+      for (const Condition& c : a.conditions)
+        driven = driven || (!gives_way_to_slowing(c) && (c.value_rate != 0.0 || norm2(c.velocity) > 0.0));
     }
     for (const IslandContact& c : island.problem.contacts) {
       rubs_on_world = rubs_on_world || (c.b < 0 && c.friction > 0.0);

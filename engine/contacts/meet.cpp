@@ -28,7 +28,7 @@ std::vector<WorkOnThing> answer_where_nothing_touches(Model& model, const Articu
   for (std::size_t k = 0; k < touches.size(); k++) {
     Articulate& a = *articulates[k];
     if (touches[k] || !a.touches) continue;
-    for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
+    let_overdriven_give_way_now(a, model, settings);
     const auto kinetic = [&] {
       return std::accumulate(a.nodes.begin(), a.nodes.end(), 0.0,
                              [](double sum, const Node& n) { return sum + kinetic_energy(n); });

@@ -42,6 +42,15 @@ void begin_answers_now(Articulate& a, Model& model, const TouchSettings& setting
 
 }  // namespace
 
+void let_overdriven_give_way_now(Articulate& a, Model& model, const TouchSettings& settings) {
+  for (Condition& c : a.conditions) c.gives_way = c.ranged;
+  if (std::none_of(a.conditions.begin(), a.conditions.end(), is_limited)) return;
+  begin_answers_now(a, model, settings);
+  answer(a);
+  let_answers_give_way(a, settings.h);
+  drop_factor(a, FactorOf::projection);
+}
+
 std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings) {
   if (std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; })) return {};
   begin_answers_now(a, model, settings);

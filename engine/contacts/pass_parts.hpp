@@ -104,6 +104,9 @@ void each_island(Workers& workers, std::span<TouchIsland> islands, TouchReport& 
 
 void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads);
 
+/// Of what touches nothing: stops give way, and rows of limited force where they would have to give more than it.
+void let_overdriven_give_way_now(Articulate& a, Model& model, const TouchSettings& settings);
+
 /// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
 /// What is driven stays as fast as `driven` says.
 ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings,

@@ -40,14 +40,15 @@ double least_violation(const World& world, const Constraint& c) {
   return (c.progress() ? 0.1 * world.settings.tolerance : 1e-14) * (size > 0.0 ? size : largest(position(world, c.a)));
 }
 
-/// A motor of an angle whose torque did not take it where it was to be goes on from where it is.
-void go_on_from_here(const World& world, Constraint& c) {
+/// A motor of an angle whose torque did not take it where it was to be goes on from where it is, in a step of h [s].
+void go_on_from_here(const World& world, Constraint& c, double h) {
   constexpr double there = 1e-9;  // [rad]
   if (c.kind != ConstraintKind::motor || c.by_speed || std::isinf(c.max_torque)) return;
-  const double off = c.angle - c.number.now;
+  const double start = c.number.of_time ? c.number.previous : c.number.now, off = c.angle - start;
   if (std::fabs(off - c.attract.excess) <= there) return;
   c.attract.excess = off;
-  c.attract.excess_rate = dot(direction_of(world, c.body_a, c.axis_a), relative_spin(world, c)) - c.number.rate;
+  c.attract.excess_rate =
+      dot(direction_of(world, c.body_a, c.axis_a), relative_spin(world, c)) - (c.number.now - start) / h;
 }
 
 void draw_in(const World& world, Constraint& c, double h) {
@@ -190,10 +191,10 @@ void sample_targets(World& world) {
     if (!world.constraints.alive_at(s)) continue;
     const ConstraintId id = world.constraints.id_at(s);
     Constraint& c = world.constraints.at_slot(s);
-    go_on_from_here(world, c);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
     if (c.turn.of_time) move_orientation(world, id, c, time, h);
+    go_on_from_here(world, c, h);
     draw_in(world, c, h);
     if (moves(c)) wake(world, c);
   }

@@ -283,7 +283,7 @@ local arm_on_floor = [[
 
 for wanted, text in pairs { ["to an angle"] = "angle = function(t) return -math.min(0.5, 0.2 * t) end", ["at a speed"] = "speed = -0.2" } do
   test("a motor that presses an arm on the floor with all its torque does nothing once it rests: " .. wanted, function()
-    for _, hz in ipairs { 60, 240 } do
+    for _, hz in ipairs { 60, 100, 240, 333 } do
       for _, torque in ipairs { 2e4, 2e5, 1e6 } do
         local scene = open_text((arm_on_floor:gsub("%$(%w+)", { hz = hz, wanted = text, torque = torque })))
         scene:advance(3)
@@ -294,6 +294,25 @@ for wanted, text in pairs { ["to an angle"] = "angle = function(t) return -math.
         expect(scene.error.energy):below(1e-4)
         expect(scene.error.penetration):below(1e-5)
       end
+    end
+  end)
+end
+
+for _, rate in ipairs { 60, 240 } do
+  test(("bars that motors turn, and that rebound off the floor, gain no energy at %d Hz"):format(rate), function()
+    for _, torque in ipairs { 10, 50 } do
+      local scene = scene_at(rate, ([[
+        scene.plane = "xy"
+        scene:floor { friction = 1 }
+        local hub = scene:box { size = vec(2, 0.4, 1), at = vec(0, 1.2, 0), mass = 10, points = { vec(-0.8, -0.3, 0), vec(0.8, -0.3, 0) } }
+        for i = 1, 2 do
+          local bar = scene:box { size = vec(0.8, 0.3, 0.8), at = hub.points[i].position, mass = 2, restitution = 0.8, points = { hub = vec(0, 0, 0) } }
+          scene:hinge(hub.points[i], bar.hub)
+          scene:motor(bar, hub, { speed = -10, max_torque = %g })
+        end
+      ]]):format(torque))
+      scene:advance(10)
+      expect(scene.error.energy):below(3e-3)
     end
   end)
 end

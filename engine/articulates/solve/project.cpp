@@ -296,15 +296,15 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
 
 namespace {
 
-/// What touches, or arrives, may stop a motor more suddenly than its force could: rows of limited force that would need more
-/// than it in h [s] give way.
+/// What touches, or arrives, may stop a motor more suddenly than its force could. Of what touches that is found out beside its
+/// contacts, later.
 void let_overdriven_give_way(Articulate& a, double h) {
-  for (Condition& c : a.conditions) c.gives_way = false;
-  if (std::none_of(a.conditions.begin(), a.conditions.end(), is_limited)) return;
+  for (Condition& c : a.conditions) c.gives_way = a.touches && is_limited(c);
+  if (a.touches || std::none_of(a.conditions.begin(), a.conditions.end(), is_limited)) return;
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   answer(a);
-  for (Condition& c : a.conditions) c.gives_way = is_limited(c) && norm(a.impulses[c.row]) > c.upper * h;
+  let_answers_give_way(a, h);
   a.factor_of = FactorOf::none;
 }
 
@@ -468,6 +468,11 @@ ImpulseWork answer(Articulate& a) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_velocities(a, From::batches, true);
   return apply_projection(a);
+}
+
+void let_answers_give_way(Articulate& a, double h) {
+  for (Condition& c : a.conditions)
+    c.gives_way = c.gives_way || (is_limited(c) && norm(a.impulses[c.row]) > c.upper * h);
 }
 
 }  // namespace pantin

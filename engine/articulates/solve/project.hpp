@@ -35,6 +35,8 @@ void begin_answers(Articulate& articulate, double epsilon);
 /// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it. Returns the work of what
 /// is prescribed.
 ImpulseWork answer(Articulate& articulate);
+/// Lets rows of limited force give way whose impulses of the last answer are more than it gives in h [s].
+void let_answers_give_way(Articulate& articulate, double h);
 /// After `begin_answers`: makes what is driven, and is to jump, stay as fast as it is in the batches now: answers are then to
 /// what comes alone.
 void keep_driven_velocities(Articulate& articulate);
