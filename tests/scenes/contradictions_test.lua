@@ -402,3 +402,24 @@ test("what cannot move is not told to: a mass on two rods in one line", function
     end
   end
 end)
+
+test("what floats free and cannot be solved keeps its momenta, though it loses energy", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local heavy = scene:particle { at = vec(0, 0, 0), mass = 1 }
+    local light = scene:particle { at = vec(1, 0, 0), mass = 1e-6, velocity = vec(0.3, 1, 0) }
+    local stiff = force.pair { name = "stiff", potential = function(r, a, b, own) return 0.25 * own.k * (r * r - 1) ^ 2 end, parameters = { k = 1e13 } }
+    scene:connect(heavy, light, stiff)
+    local body = scene:body { at = vec(2, 3, 0), mass = 1, inertia = vec(1, 2, 3), spin = vec(0, 1, 0.5), points = { vec(0, -1, 0) } }
+    local link = scene:body { at = vec(2, 1.5, 0), mass = 1e-6, inertia = vec(1, 2, 3) * 1e-6, spin = vec(3, 1, 0), points = { vec(0, 0.5, 0), vec(0, -0.5, 0) } }
+    scene:hinge(body.points[1], link.points[1])
+    local soft = force.pair { name = "soft", potential = function(r, a, b, own) return 0.5 * own.k * (r - 1) ^ 2 end, parameters = { k = 1e-4 } }
+    scene:connect(link.points[2], light, soft)
+  ]]
+  local momentum, angular_momentum, energy = scene.momentum, scene.angular_momentum, scene.energy.total
+  scene:advance(10)
+  expect(scene.stats.fallback_steps):above(100)
+  expect((scene.momentum - momentum):length()):below(1e-12)
+  expect((scene.angular_momentum - angular_momentum):length()):below(1e-9)
+  expect(scene.energy.total):below(energy * (1 + 1e-6))
+end)

@@ -34,7 +34,7 @@ Vec3 centre_of_mass(const Articulate& a) {
 
 Momenta momenta_of(const Articulate& a) {
   const Vec3 X = centre_of_mass(a);
-  Momenta m;
+  Momenta m{.energy = kinetic_energy(a)};
   for (const Node& n : a.nodes) {
     m.p += n.p0;
     m.angular += cross(n.x0 - X, n.p0);
@@ -72,7 +72,7 @@ double restore_momenta(Articulate& a, const Momenta& wanted) {
   const double before = kinetic_energy(a);
   for (int i = 0; i < 2; i++) {  // the second takes round-off out
     const Momenta now = momenta_of(a);
-    const Vec3 spin = spin_for(a, X, wanted.angular - now.angular, before);
+    const Vec3 spin = spin_for(a, X, wanted.angular - now.angular, std::max(before, wanted.energy));
     add_rigid_motion(a, X, (wanted.p - now.p) / a.total_mass, spin);
   }
   return kinetic_energy(a) - before;

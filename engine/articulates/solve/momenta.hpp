@@ -9,6 +9,7 @@ namespace pantin {
 struct Momenta {
   Vec3 p = zero3();        ///< [kg m/s]
   Vec3 angular = zero3();  ///< [kg m²/s] about the centre of mass
+  double energy = 0.0;     ///< [J] of the motion that had them
 };
 
 /// Whether no row ties it to the world.
@@ -28,7 +29,7 @@ Vec3 angular_momentum_at_distance(const Articulate& articulate, double h);
 /// The spin about X that makes up for angular momentum, about each principal axis that takes no more than `most` [J] to turn it.
 Vec3 spin_for(const Articulate& articulate, Vec3 X, Vec3 angular, double most);
 /// Gives it these momenta again. Points that all come to one position have nothing to turn; what would take more energy than
-/// all the motion has stays lost. Returns the energy that this gave [J].
+/// all the motion has, or had, stays lost. Returns the energy that this gave [J].
 double restore_momenta(Articulate& articulate, const Momenta& wanted);
 
 }  // namespace pantin
