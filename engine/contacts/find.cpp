@@ -21,6 +21,7 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
   for (const Contact& c : contacts.list) {
     Going world, &a = going[number_of(model, c.body_a)],
                  &b = c.body_b < 0 ? world : going[number_of(model, static_cast<std::uint32_t>(c.body_b))];
+    if (norm2(c.place_impulse) > 0.0) a.is_held = b.is_held = true;
     const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
     if (!(nearing > 0.0 && dot(c.place_impulse, c.normal) * lightness > least_stop * nearing)) continue;
     const Vec3 change = c.normal * ((nearing + c.rebound) / lightness);

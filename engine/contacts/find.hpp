@@ -22,6 +22,7 @@ struct HingedPair {
 struct Going {
   Vec3 v = zero3(), w = zero3();  ///< [m/s], [rad/s]
   double mass = infinity;         ///< [kg]
+  bool is_held = false;           ///< something kept it out in the last drift
 };
 
 /// Where a shape is now, and how far it may get.

@@ -18,9 +18,9 @@ namespace {
 constexpr double passing_overlap = 5e-4, passing_overlap_of_balls = 1e-8;
 /// Part of the thickness below which nothing nears.
 constexpr double no_approach = 1e-6;
-/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met; of what rebounds, since what
-/// turns with the normal then loses energy.
-constexpr double least_blow = 0.02, least_blow_of_rebound = 0.0002;
+/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met: of what flew free or rebounds,
+/// which else ends as fast as it is turned too far; in heaps, where many hold each other, no such blow is told from others.
+constexpr double least_blow = 2e-4, least_blow_in_heaps = 0.02;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.
@@ -36,10 +36,8 @@ struct Pair {
   double thickness;  ///< [m]
   double overlap() const { return (are_balls() ? passing_overlap_of_balls : passing_overlap) * thickness; }
   bool are_balls() const { return std::holds_alternative<BallShape>(a) && std::holds_alternative<BallShape>(b); }
-  double held_already() const { return ahead.rebounds ? 0.0 : overlap(); }  ///< [m] what is open by less has its points
-  double blow() const {
-    return (ahead.rebounds ? least_blow_of_rebound : least_blow) * thickness;
-  }  ///< [m] in the step
+  double held_already() const { return ahead.strikes ? 0.0 : overlap(); }  ///< [m] what is open by less has its points
+  double blow() const { return (ahead.strikes ? least_blow : least_blow_in_heaps) * thickness; }  ///< [m] in the step
 };
 
 Pose moved(const Pose& pose, const Travel& motion, double part) {
@@ -141,7 +139,7 @@ double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) 
 
 /// What is to be foreseen: two that rebound and strike, though one kept the other out in the last drift, did not meet in it.
 Travel motion_of(const Pair& pair, const ManifoldSink& sink, std::span<const ManifoldPoint> points) {
-  if (!pair.ahead.rebounds) return sink.motion();
+  if (!pair.ahead.strikes) return sink.motion();
   const Travel motion = sink.motion_even_if_held();
   const auto strikes = [&](const ManifoldPoint& p) {
     return p.gap > held_gap * pair.thickness && -dot(p.normal, way_of(motion, pair.at_a, p.on_a)) > pair.blow();
@@ -222,7 +220,7 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
     return;
   }
   if (!(least > pair.held_already() || dot(meeting->normal, normal) < 1.0 - same_normal)) return;
-  if (most < deep && pair.ahead.rebounds)
+  if (most < deep && pair.ahead.strikes)
     if (const auto touches = first_overlap(pair, free, 0.0); touches && norm2(touches->normal) > 0.0)
       return set_points_there(pair, free, touches->part, manifold);
   set_points_there(pair, motion, meeting->part, manifold);

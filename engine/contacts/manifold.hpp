@@ -32,10 +32,10 @@ struct Manifold {
 
 /// What is to be foreseen of a pair.
 struct Ahead {
-  Ahead(double gaps, double turn = 0.0, bool rebound = false) : margin(gaps), turn_way(turn), rebounds(rebound) {}
+  Ahead(double gaps, double turn = 0.0, bool blows = false) : margin(gaps), turn_way(turn), strikes(blows) {}
   double margin;    ///< [m] gaps up to this are told
   double turn_way;  ///< [m] by which turns within the step may close one gap more than another
-  bool rebounds;    ///< the two have restitution
+  bool strikes;     ///< the two rebound, or nothing held either in the last drift: where they meet is found exactly
 };
 
 /// How a moves against b within the step if nothing stops it.

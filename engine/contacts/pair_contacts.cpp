@@ -184,8 +184,8 @@ void add_contacts(const ThingsNow& p, const ContactSide& a, const ContactSide& b
   Collector collector(a, b, rule, p.contacts, p.h, found);
   SeparationCache cache;
   const double turning = p.h * norm(a.going.w - b.going.w) * std::min(a.now.reach, b.now.reach);
-  find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning, restitution_of(a, b, rule) > 0.0},
-                 cache, collector);
+  const bool strikes = restitution_of(a, b, rule) > 0.0 || !(a.going.is_held || b.going.is_held);
+  find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning, strikes}, cache, collector);
   const ContactKey key{a.key, b.key, 0, 0};
   if (!sensed && is_one_sided(b.geometry) && passes(p, key, collector, std::span(to).subspan(first))) {
     to.resize(first);

@@ -117,3 +117,22 @@ test("what breaks in one step is told in the order in which it was made", functi
   ]]
   opened:advance(0.2)
 end)
+
+for _, rate in ipairs { 60, 240, 480, 1000, 2000 } do
+  test(("a box that falls on a corner which sticks turns about it at %d Hz"):format(rate), function()
+    local turn, speed, spin = 1, 3, 2                                                                               -- as it strikes
+    local arm = vec(-0.5 * math.cos(turn) + 0.25 * math.sin(turn), -0.5 * math.sin(turn) - 0.25 * math.cos(turn), 0) -- of the corner
+    local inertia = (1 ^ 2 + 0.5 ^ 2) / 12                                                                          -- about the middle
+    local spin_after = (arm.x * speed + inertia * spin) / (inertia + arm:length() ^ 2)
+    for phase = 0, 4 do
+      local time = 0.3 + 0.0043 * phase
+      local scene = scene_of([[
+        scene.plane, scene.step, scene.gravity = "xy", 1 / %d, vec(0, 0, 0)
+        scene:floor { friction = 1 }
+        scene:box { name = "box", size = vec(1, 0.5, 0.5), mass = 1, at = vec(0, %.17g, 0), orientation = quat(vec(0, 0, 1), %.17g), velocity = vec(0, %.17g, 0), spin = vec(0, 0, %.17g), friction = 1 }
+      ]], rate, speed * time - arm.y, turn - spin * time, -speed, spin)
+      scene:advance(0.34)
+      expect(scene:find("box").spin.z):near(spin_after, 1e-4 * spin)
+    end
+  end)
+end
