@@ -72,9 +72,9 @@ std::vector<Property> steps() {
           "accuracy", "number?", "1/s",
           "wanted error per second, relative to the distance between what interacts, or to how far it swings beside a "
           "uniform motion where it interacts with nothing; sub-steps follow from it, and what is a tree of hinges "
-          "moves as with \"adaptive\". Functions of time that ties "
-          "follow "
-          "are then asked at each quarter of a step (default none: fixed steps)",
+          "moves as with \"adaptive\". Functions of time that ties follow are then asked at each quarter of a step; "
+          "round "
+          "sharp corners of paths errors fall only as fast as sub-steps (default none: fixed steps)",
           [](const World& w, None) { return w.settings.accuracy; },
           [](World& w, None, std::optional<double> wanted) {
             if (wanted) positive(*wanted, "accuracy", "1/s");

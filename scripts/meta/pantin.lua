@@ -920,7 +920,7 @@ local Snapshot = {}
 ---@field store table plain values of yours, which snapshots keep (default `{}`)
 ---@field gravity vec [m/s²] uniform acceleration (default `vec(0, -9.81, 0)`)
 ---@field step number [s] length of one step (default `1 / 240`)
----@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it, and what is a tree of hinges moves as with "adaptive". Functions of time that ties follow are then asked at each quarter of a step (default none: fixed steps)
+---@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it, and what is a tree of hinges moves as with "adaptive". Functions of time that ties follow are then asked at each quarter of a step; round sharp corners of paths errors fall only as fast as sub-steps (default none: fixed steps)
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds (default `"second"`)
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet"), "adaptive" ("verlet", but what is a tree of hinges and nails under gravity alone moves in its own rotations, of 8th order, to `accuracy`, or to 1e-6 where none is wanted) (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
