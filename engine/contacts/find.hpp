@@ -82,12 +82,13 @@ struct ContactFinder {
 
 /// Where shapes were when they were looked at last, from which what is pushed before the next drift is looked for.
 struct ShapesThen {
-  std::vector<ShapeNow> shapes;     ///< (slots of shapes)
-  std::vector<Going> going;         ///< (slots of bodies, then of points)
-  double ahead = 1.0;               ///< as of the finder
-  std::uint64_t sleep_changes = 0;  ///< as of the finder
-  bool displaced = false;           ///< as of the finder
-  bool known = false;               ///< there were any, and no edit came since
+  std::vector<ShapeNow> shapes;              ///< (slots of shapes)
+  std::vector<Going> going;                  ///< (slots of bodies, then of points)
+  std::vector<BroadPhase::Pair> rebounding;  ///< as of the finder
+  double ahead = 1.0;                        ///< as of the finder
+  std::uint64_t sleep_changes = 0;           ///< as of the finder
+  bool displaced = false;                    ///< as of the finder
+  bool known = false;                        ///< there were any, and no edit came since
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.

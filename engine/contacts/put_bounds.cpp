@@ -94,6 +94,7 @@ void keep_shapes(const ContactFinder* finder, const Model& model, ShapesThen& ke
   if (!kept.known) return;
   kept.shapes = finder->shapes_now;
   kept.going = finder->going;
+  kept.rebounding = finder->rebounding;
   kept.ahead = finder->ahead;
   kept.sleep_changes = finder->sleep_changes;
   kept.displaced = finder->displaced || finder->asked_displaced;
@@ -108,6 +109,7 @@ void put_back(std::unique_ptr<ContactFinder>& finder, Model& model, const Shapes
   renew(finder, model);
   put_all(model, *finder, then.sleep_changes, [&](std::uint32_t s) { return then.shapes[s]; });
   finder->going = then.going;
+  finder->rebounding = then.rebounding;
   finder->ahead = then.ahead;
   finder->displaced = then.displaced;
   finder->asked_changed = finder->asked_displaced = false;

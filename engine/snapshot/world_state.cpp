@@ -45,6 +45,11 @@ void visit_touch(A& a, World& world) {
 void check_shapes(ShapesThen& then, const World& world) {
   if (!then.known) return;
   require(then.shapes.size() >= world.shapes.slots(), "where its shapes were contradicts itself");
+  const auto is_there = [&](const BroadPhase::Pair& pair) {
+    return std::max(pair.first, pair.second) < world.shapes.slots();
+  };
+  require(std::all_of(then.rebounding.begin(), then.rebounding.end(), is_there),
+          "its shapes that rebound contradict themselves");
   then.going.resize(std::max(then.going.size(), std::size_t{world.bodies.slots()} + world.points.slots()));
 }
 
@@ -100,12 +105,13 @@ void visit_law(Writer& to, std::shared_ptr<const Law>& law) { visit(to, law); }
 void visit_law(Reader& from, std::shared_ptr<const Law>& law) { visit(from, law); }
 
 std::uint64_t layout_of_state() {
-  constexpr std::uint64_t version = 4;
+  constexpr std::uint64_t version = 5;
   Hash hash;
   for (const std::uint64_t part :
-       {version, sizeof(WorldData), sizeof(Articulate), sizeof(Forces), sizeof(Row), sizeof(Condition), sizeof(Node),
-        sizeof(NodeBatch), sizeof(Constraint), sizeof(Contact), sizeof(Event), sizeof(Law), sizeof(Particle),
-        sizeof(Body), sizeof(Motion), sizeof(Shape), sizeof(Emitter), sizeof(Receiver), sizeof(ActingConnections)})
+       {version,           sizeof(WorldData), sizeof(Articulate), sizeof(Forces),     sizeof(Row),
+        sizeof(Condition), sizeof(Node),      sizeof(NodeBatch),  sizeof(Constraint), sizeof(Contact),
+        sizeof(Event),     sizeof(Law),       sizeof(Particle),   sizeof(Body),       sizeof(Motion),
+        sizeof(Shape),     sizeof(ShapeNow),  sizeof(Emitter),    sizeof(Receiver),   sizeof(ActingConnections)})
     hash.add(part);
   return hash.value;
 }
