@@ -30,15 +30,6 @@ bool is_fixed(const Model& model, const CoupledValue& v) {
   return body && body == model.points[v.point_b].body;
 }
 
-/// How far it is turned now [rad], nearest to what was counted last: it may have turned while the coupling was off.
-double present_angle(const Model& model, const CoupledValue& v) {
-  constexpr double turn = 6.283185307179586;
-  const Quat frame = v.body_b ? orientation(model, v.body_b) : Quat{};
-  const Quat q = conjugate(frame) * orientation(model, v.body_a) * conjugate(v.turn);
-  const double angle = 2.0 * functions::atan2(dot(vec(q.x, q.y, q.z), v.axis_b), q.w);
-  return angle + turn * std::round((v.angle - angle) / turn);
-}
-
 }  // namespace
 
 const RowRule coupled_row = {
@@ -72,7 +63,7 @@ double rate_of(const Model& model, const Constraint& c) {
 void start_coupling(const Model& model, Constraint& c, double tolerance) {
   CouplingData& data = c.as<CouplingData>();
   for (CoupledValue& v : data.values)
-    if (v.body_a) v.angle = present_angle(model, v);
+    if (v.body_a) v.angle = present_angle(model, v.body_a, v.body_b, v.turn, v.axis_b, v.angle);
   const double sum = coupled_sum(model, c);
   if (!has_range(c) || data.total == 0.0) data.total = sum;
   if (has_range(c)) start_number(c, std::fmax(0.0, sum - data.total), rate_of(model, c), tolerance * data.total);

@@ -1,7 +1,10 @@
 #include "constraints/geometry.hpp"
 
+#include <cmath>
+
 #include "base/check.hpp"
 #include "base/check_values.hpp"
+#include "base/functions.hpp"
 #include "constraints/kind.hpp"
 
 namespace pantin {
@@ -45,6 +48,20 @@ void require_two_ends(const Model& model, const Constraint& c, std::string_view 
           hint);
   require(!first.body || first.body != second.body, call, ": both ends belong to ", describe(model, first.body),
           ", which is rigid already");
+}
+
+double present_angle(const Model& model, BodyId body_a, BodyId body_b, const Quat& turn, Vec3 axis_b, double last) {
+  constexpr double whole = 6.283185307179586;
+  const Quat frame = body_b ? orientation(model, body_b) : Quat{};
+  const Quat q = conjugate(frame) * orientation(model, body_a) * conjugate(turn);
+  const double angle = 2.0 * functions::atan2(dot(vec(q.x, q.y, q.z), axis_b), q.w);
+  return angle + whole * std::round((last - angle) / whole);
+}
+
+void count_anew(const Model& model, Constraint& c) {
+  constexpr double same = 1e-9;  // [rad]
+  const double now = present_angle(model, c.body_a, c.body_b, c.turn.now, c.axis_b, c.angle);
+  if (std::fabs(now - c.angle) > same) c.angle = now;
 }
 
 void start_number(Constraint& c, double excess, double rate, double allowed) {

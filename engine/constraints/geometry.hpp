@@ -22,6 +22,11 @@ inline double end_distance(const Model& model, const Constraint& c) {
 /// Rate of that [m/s].
 double end_distance_rate(const Model& model, const Constraint& c);
 
+/// How far a body is turned about an axis against another, or the world [rad], nearest to what was counted last: it may have
+/// turned while nothing counted. `turn`: the orientation that counts as 0; `axis_b`: in the frame of body_b.
+double present_angle(const Model& model, BodyId body_a, BodyId body_b, const Quat& turn, Vec3 axis_b, double last);
+/// Counts the angle of a constraint on one anew where it is another by now.
+void count_anew(const Model& model, Constraint& c);
 inline Vec3 relative_spin(const Model& model, const Constraint& c) {
   const Vec3 of_a = angular_velocity(model.motion_of(c.body_a));
   return c.body_b ? of_a - angular_velocity(model.motion_of(c.body_b)) : of_a;

@@ -30,6 +30,7 @@ double rate(const Model& model, const Constraint& c) {
 }
 
 void start(const Model& model, Constraint& c, double tolerance) {
+  if (!c.a) count_anew(model, c);
   const double now = value(model, c);
   start_number(c, outside(c, now), rate(model, c), tolerance * (c.a ? now : 1.0));
 }

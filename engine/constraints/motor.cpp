@@ -10,6 +10,7 @@ namespace {
 double value(const Model&, const Constraint& c) { return c.angle; }
 
 void start(const Model& model, Constraint& c, double tolerance) {
+  count_anew(model, c);
   if (c.by_speed) return;
   const Vec3 axis = direction_of(model, c.body_a, c.axis_a);
   start_number(c, c.angle - c.number.now, dot(axis, relative_spin(model, c)), tolerance);

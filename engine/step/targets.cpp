@@ -40,6 +40,11 @@ double least_violation(const World& world, const Constraint& c) {
   return (c.progress() ? 0.1 * world.settings.tolerance : 1e-14) * (size > 0.0 ? size : largest(position(world, c.a)));
 }
 
+/// Whether it has an angle about an axis, with all its turns.
+bool counts_turns(const Constraint& c) {
+  return c.kind == ConstraintKind::motor || (c.kind == ConstraintKind::limit && !c.a);
+}
+
 /// A motor of an angle whose torque did not take it where it was to be goes on from where it is, in a step of h [s].
 void go_on_from_here(const World& world, Constraint& c, double h) {
   constexpr double there = 1e-9;  // [rad]
@@ -191,6 +196,7 @@ void sample_targets(World& world) {
     if (!world.constraints.alive_at(s)) continue;
     const ConstraintId id = world.constraints.id_at(s);
     Constraint& c = world.constraints.at_slot(s);
+    if (c.enabled && counts_turns(c)) count_anew(world, c);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
     if (c.turn.of_time) move_orientation(world, id, c, time, h);
