@@ -12,6 +12,8 @@ constexpr double face_advantage = 1e-6, edge_advantage = 1e-5, edge_advantage_of
 constexpr double parallel_edges = 1e-12;
 /// Part of the size within which a corner lies on the border of the reference face.
 constexpr double on_border = 1e-9;
+/// Part of the size within which a point is the crossing of two edges, unless the cosine of their normals is more than this.
+constexpr double at_crossing = 1e-2, same_direction_of_crossing = 1.0 - 1e-4;
 
 constexpr std::uint32_t edge_pair_id = 0x40000000u;
 
@@ -197,9 +199,9 @@ ClipPolygon face_over(const Mat3& incident, Vec3 half, BoxFace face, Vec3 centre
   return polygon;
 }
 
-/// Adds the points of the incident face over the best face. Beside an edge pair that presses aslant to it those that overlap are
-/// left out: one has to go past them. `edge_normal`: of the pair, or null.
-void add_face_points(const BoxPair& pair, int axis, const Vec3* edge_normal, PointList& list) {
+/// Adds the points of the incident face over the best face, but the `crossing` of an edge pair, where there is one. Beside a pair
+/// that presses aslant to the face those that overlap are left out: one has to go past them.
+void add_face_points(const BoxPair& pair, int axis, const ManifoldPoint* crossing, PointList& list) {
   const bool of_a = axis < 3;
   const int f = axis % 3, p = (f + 1) % 3, q = (f + 2) % 3;
   const Pose &reference = of_a ? pair.at_a : pair.at_b, &incident = of_a ? pair.at_b : pair.at_a;
@@ -214,15 +216,16 @@ void add_face_points(const BoxPair& pair, int axis, const Vec3* edge_normal, Poi
   for (std::uint32_t side = 0; side < 4; side++) clip_by_side(polygon, side, half[side < 2 ? p : q], near);
 
   const Vec3 normal = of_a ? -outwards : outwards;
-  const double least = edge_normal && dot(normal, *edge_normal) < like_the_face ? 0.0 : -infinity;
+  const double like = crossing ? dot(normal, crossing->normal) : 1.0;
   const std::uint32_t faces = ((of_a ? 0u : 6u) + face.number()) << 16;
   for (std::uint32_t i = 0; i < polygon.count; i++) {
     const ClipPoint& c = polygon.points[i];
-    if (c.z > pair.margin || c.z < least) continue;
+    if (c.z > pair.margin || (like < like_the_face && c.z < 0.0)) continue;
     const Vec3 on_reference = reference.x + (outwards * half[f] + reference.R[p] * c.x + reference.R[q] * c.y);
+    const Vec3 on_a = of_a ? on_reference : on_reference + outwards * c.z;
+    if (like < same_direction_of_crossing && norm(on_a - crossing->on_a) < at_crossing * pair.size) continue;
     const bool own_corner = c.name >= crossing_name(12, 12);
-    list.add({of_a ? on_reference : on_reference + outwards * c.z, normal, c.z,
-              faces | (own_corner ? other.number() << 12 : 0u) | c.name});
+    list.add({on_a, normal, c.z, faces | (own_corner ? other.number() << 12 : 0u) | c.name});
   }
 }
 
@@ -243,7 +246,7 @@ void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Po
       best.face_gap + edge_advantage * pair.size + edge_advantage_of_gap * std::fabs(best.face_gap);
   const bool edge_pair = best.edge >= 0 && best.edge_gap > edge_threshold && add_edge_point(pair, best.edge, manifold);
   PointList list;
-  add_face_points(pair, best.face, edge_pair ? &manifold.points[0].normal : nullptr, list);
+  add_face_points(pair, best.face, edge_pair ? &manifold.points[0] : nullptr, list);
   const double gap = std::fmax(best.face_gap, best.edge_gap);
   if (!edge_pair && gap > 0.0 && least_gap(list) > gap + on_border * pair.size) {
     const Separation nearest = separation(a, at_a, b, at_b, pair.margin, &cache);
