@@ -13,7 +13,7 @@ constexpr double parallel_edges = 1e-12;
 /// Part of the size within which a corner lies on the border of the reference face.
 constexpr double on_border = 1e-9;
 /// Part of the size within which a point is the crossing of two edges, unless the cosine of their normals is more than this.
-constexpr double at_crossing = 1e-2, same_direction_of_crossing = 1.0 - 1e-4;
+constexpr double at_crossing = 1e-3, same_direction_of_crossing = 1.0 - 1e-4;
 
 constexpr std::uint32_t edge_pair_id = 0x40000000u;
 

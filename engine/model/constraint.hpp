@@ -68,7 +68,7 @@ struct Prescribed {
   T before{};                        ///< two steps ago, once it was moved twice or more
   Rate rate{};                       ///< [1/s] at the end of this step
   Rate previous_rate{};              ///< one step ago
-  Rate change{};                     ///< [1/s] of its mean rate, from step to step
+  Rate change{}, earlier_change{};   ///< [1/s] of its mean rate, from step to step; the one before
   std::function<T(double)> of_time;  ///< at time t [s]; empty where it is set by hand
 };
 

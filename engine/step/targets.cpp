@@ -71,21 +71,27 @@ double product(double x, double y) { return x * y; }
 double product(Vec3 x, Vec3 y) { return dot(x, y); }
 
 /// The rate at the end of a step of what is known at the ends of steps, by its mean rates in them: they go on to change as in the
-/// last step, where they did so in the one before as well. At a kink they do not.
+/// last step, as far as they did so in the two before as well. At a kink, which may part a step, they do not.
 template <class Value>
-Value rate_at_end(Value mean, Value last_mean, Value& change, std::uint32_t moves) {
+Value rate_at_end(Value mean, Value last_mean, Value& change, Value& earlier_change, std::uint32_t moves) {
   if (moves < 2) return mean;
-  const Value before = std::exchange(change, mean - last_mean);
+  const Value earliest = std::exchange(earlier_change, change), earlier = std::exchange(change, mean - last_mean);
   const double square = product(change, change);
-  if (moves == 2 || square == 0.0) return mean + change * 0.5;
-  return mean + change * (0.5 * std::clamp(product(before, change) / square, 0.0, 1.0));
+  double part = 0.5;
+  const auto as_before = [&](Value before) {
+    part = std::min(part, 0.5 * std::max(0.0, product(before, change) / square));
+  };
+  if (moves > 2 && square > 0.0) as_before(earlier);
+  if (moves > 3 && square > 0.0) as_before(earliest);
+  return mean + change * part;
 }
 
 /// The same of positions or numbers, moved on by now.
 template <class Value, class Rate>
 Rate rate_at_end(Prescribed<Value, Rate>& of, double h, std::uint32_t moves) {
   if (!(h > 0.0)) return Rate{};
-  return rate_at_end<Rate>((of.now - of.previous) / h, (of.previous - of.before) / h, of.change, moves);
+  return rate_at_end<Rate>((of.now - of.previous) / h, (of.previous - of.before) / h, of.change, of.earlier_change,
+                           moves);
 }
 
 /// Whether steps are divided finely enough to tell the way between their ends from a straight one.
@@ -170,7 +176,7 @@ void move_orientation(const World& world, ConstraintId id, Constraint& c, double
   c.turn.now = next;
   const Vec3 mean = rotation_vector(c.turn.now * conjugate(c.turn.previous)) / h;
   c.moves++;
-  c.turn.rate = rate_at_end(mean, c.turn.previous_rate, c.turn.change, c.moves);
+  c.turn.rate = rate_at_end(mean, c.turn.previous_rate, c.turn.change, c.turn.earlier_change, c.moves);
   if (!c.bend.straight()) c.turn.rate = mean + c.bend.rate(1.0) / h;
   c.turn.previous_rate = mean;
 }

@@ -136,3 +136,22 @@ for _, rate in ipairs { 60, 240, 480, 1000, 2000 } do
     end
   end)
 end
+
+test("two boxes that meet with crossing edges part along the normal of both edges", function()
+  for seed = 1, 40 do
+    local scene = open_text(([[
+      scene.step, scene.gravity, scene.seed = 1 / 240, vec(0, 0, 0), %d
+      local function some(low, high) return low + (high - low) * math.random() end
+      local x, y, z = vec(1, 0, 0), vec(0, 1, 0), vec(0, 0, 1)
+      local turn_a = quat(z, math.rad(some(3, 87)))                                              -- both edges are level
+      local turn_b = quat(y, math.rad(some(10, 170))) * quat(z, math.rad(some(3, 87)))
+      local on_a, on_b = turn_a:rotate(vec(-0.5, -0.5, some(-0.45, 0.45))), turn_b:rotate(vec(0.5, 0.5, some(-0.45, 0.45)))
+      scene:box { size = 1, mass = 1, at = -on_b, orientation = turn_b, friction = 0, restitution = 0.7 }
+      scene:box { name = "a", size = 1, mass = 1, at = vec(0, 0.3, 0) - on_a, orientation = turn_a, velocity = vec(0, -3, 0), friction = 0, restitution = 0.7 }
+      scene:result("lightness", 2 + 6 * (on_a.x ^ 2 + on_a.z ^ 2 + on_b.x ^ 2 + on_b.z ^ 2))
+    ]]):format(seed))
+    scene:advance(0.11)
+    local a, impulse = scene:find "a", 1.7 * 3 / scene:result "lightness"
+    expect((a.velocity - vec(0, impulse - 3, 0)):length()):below(1e-3 * impulse)
+  end
+end)

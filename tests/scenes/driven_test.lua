@@ -170,3 +170,39 @@ test("a motor of an angle never turns harder than its torque, and comes to rest 
     end
   end
 end)
+
+test("a motor that was off, or whose wheel was turned by hand, goes on at its speed without a jerk", function()
+  for _, rate in ipairs { 90, 240, 1000 } do
+    local scene = open_text(([[
+      scene.step, scene.gravity = 1 / %d, vec(0, 0, 0)
+      local wheel = scene:box { name = "wheel", size = vec(1, 0.2, 0.2), mass = 1, points = { hub = vec(0, 0, 0) } }
+      scene:nail(wheel.hub)
+      local motor = scene:motor(wheel, { axis = vec(0, 0, 1), speed = 6, max_torque = 500 })
+      scene:at(0.31, function() motor.enabled = false end)
+      scene:at(0.62, function() motor.enabled = true end)
+      scene:at(0.8, function() wheel.orientation = quat(vec(0, 0, 1), 1) end)
+    ]]):format(rate))
+    scene:advance(0.1)
+    while scene.time < 1 do
+      scene:step()
+      expect(scene:find("wheel").spin.z):near(6, 1e-9)
+    end
+  end
+end)
+
+test("an arm whose angle stops within a step is still from the next on, whenever it stops", function()
+  for phase = 0, 4 do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local arm = scene:box { name = "arm", size = vec(1, 0.2, 0.2), mass = 1, points = { hub = vec(-0.5, 0, 0) } }
+      scene:nail(arm.hub)
+      scene:motor(arm, { axis = vec(0, 0, 1), angle = function(t) return -2 * math.min(t, %g) end })
+    ]]):format(0.2 + phase / 1200))
+    scene:advance(0.2 + 2 / 240)
+    for _ = 1, 10 do
+      scene:step()
+      expect(math.abs(scene:find("arm").spin.z)):below(1e-9)
+    end
+    expect(scene.error.worst_energy):below(1e-4)
+  end
+end)

@@ -265,13 +265,13 @@ local head_on = [[
 
 for speed, bound in pairs { [5] = 4e-4, [15] = 1e-3, [40] = 1e-3 } do
   test("two boxes that meet head-on keep their angular momentum and energy, however they are turned: at " .. speed .. " m/s", function()
-    local lost, of = 0, 40
+    local lost, of = 0, 200
     for seed = 1, of do
       local scene = open_text((head_on:gsub("%$(%w+)", { seed = seed, speed = speed })))
       local energy, turning = scene.energy.total, scene.angular_momentum
       scene:advance(2.5 / speed)
       local change = math.abs(1 - scene.energy.total / energy)
-      expect(change):below(3e-2)
+      expect(change):below(6e-2) -- where two corners strike within a sub-step
       lost = lost + change / of
       expect((scene.angular_momentum - turning):length()):below(1e-9 * scene.bodies[1].mass)
     end
