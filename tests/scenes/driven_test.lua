@@ -206,3 +206,23 @@ test("an arm whose angle stops within a step is still from the next on, whenever
     expect(scene.error.worst_energy):below(1e-4)
   end
 end)
+
+test("a motor of a speed comes to it as fast as its torque can, and never goes past it", function()
+  for _, torque in ipairs { 20, 26, 28, 40, 53, 55, 200 } do
+    local rate, inertia, wanted, spin = 100, 0.09, -3, 0
+    local scene = open_text(([[
+      scene.step, scene.gravity = 1 / %d, vec(0, 0, 0)
+      local wheel = scene:body { name = "wheel", mass = 2, inertia = vec(0.05, 0.05, %g), points = { hub = vec(0, 0, 0) } }
+      scene:nail(wheel.hub)
+      local motor = scene:motor(wheel, { axis = vec(0, 0, 1), speed = -3, max_torque = %g })
+      scene:at(0.1, function() motor.speed = 3 end)
+    ]]):format(rate, inertia, torque))
+    for i = 1, 30 do
+      if i > 10 then wanted = 3 end
+      local most = torque / (inertia * rate)
+      spin = spin + math.max(-most, math.min(most, wanted - spin))
+      scene:step()
+      expect(scene:find("wheel").spin.z):near(spin, 1e-9)
+    end
+  end
+end)

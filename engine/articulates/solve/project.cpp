@@ -296,6 +296,21 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
 
 namespace {
 
+Vec3 spin_of(const Node& n) { return n.R0 * (n.inverse_inertia * n.P0); }
+
+/// A motor that gave all its force over all of the drift, and by that went past its speed, holds it: less would have done.
+void hold_what_went_past(Articulate& a) {
+  for (Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    if (c.held || !c.by_speed || !is_limited(c) || !std::isinf(c.stall_force)) continue;
+    c.wanted = c.velocity;
+    r.rule->project(r, c, true);
+    const Vec3 spin = spin_of(a.nodes[static_cast<std::size_t>(r.a)]) -
+                      (r.b < 0 ? zero3() : spin_of(a.nodes[static_cast<std::size_t>(r.b)]));
+    c.held = dot(c.kept * spin * r.lever - c.wanted, r.f) > 0.0;
+  }
+}
+
 /// What touches, or arrives, may stop a motor more suddenly than its force could. Of what touches that is found out beside its
 /// contacts, later.
 void let_overdriven_give_way(Articulate& a, double h) {
@@ -321,6 +336,7 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
     if (at_distance) report.hand += restore_momenta(a, momenta);
     return;
   }
+  if (!a.touches) hold_what_went_past(a);
   let_overdriven_give_way(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   set_velocity_constraints(a);
