@@ -163,7 +163,7 @@ void DrawListMaker::draw_ground(const World& world, const Eye& eye, const Stage&
       draw_figure(figures_.of(world, id), {}, {}, eye, stage, draw_list);
       continue;
     }
-    const Floor floor = floor_of(world, id, stage);
+    const Floor floor = floor_seen(world, id, stage, eye.at + eye.forward * eye.unit, eye.unit);
     const Mat3 axes = matrix(shape.orientation);
     if (dot(axes[2], eye.at - floor.middle) <= 0.0) continue;
     const auto from = [&](Vec3 axis) { return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0)); };

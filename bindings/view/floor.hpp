@@ -10,6 +10,8 @@ struct Floor {
   double reach = 1.0;     ///< [m]
 };
 Floor floor_of(const World& world, ShapeId plane, const Stage& stage);
+/// The same where a camera looks at `target` [m] from so far away [m]: what has no size goes along with it.
+Floor floor_seen(const World& world, ShapeId plane, const Stage& stage, Vec3 target, double distance);
 /// Edge of the squares that the ground shows [m]: a round number.
 double ground_square(const Stage& stage);
 

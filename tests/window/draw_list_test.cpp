@@ -27,6 +27,29 @@ TEST_CASE("a draw_list of a chain has a bar for each rod, a ball for each hinge 
   CHECK(draw_list.upper.x < 10.0f);  // in units of the camera's distance
 }
 
+TEST_CASE("a floor without a size is drawn where the camera looks, one with a size where it is", "[view]") {
+  World world;
+  ShapeDef def;
+  def.geometry = HalfSpaceShape{};
+  add_shape(world, def);
+  def.extent = 3.0;
+  add_shape(world, def);
+  const Stage stage = find_stage(world);
+  Camera camera = first_camera(stage, 1.6);
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
+  for (const double away : {0.0, 100.0}) {
+    camera.target = vec(away, 0, 0);
+    draw_list_maker.draw(world, camera, stage, {}, 720, draw_list);
+    REQUIRE(draw_list.floors.size() == 2);
+    const auto from_target = [&](const DrawList::Floor& f) {
+      return double{f.middle.x} * camera.distance + camera.eye()[0] - away;
+    };
+    CHECK(std::fabs(from_target(draw_list.floors[0])) < 0.5 * camera.distance * double{draw_list.floors[0].reach});
+    CHECK(std::fabs(from_target(draw_list.floors[1]) + away) < 1e-3);
+  }
+}
+
 TEST_CASE("nothing is allocated for a picture once the first is drawn", "[view]") {
   World world;
   small_worlds::chain(world, 50);
