@@ -40,7 +40,9 @@ std::optional<Color> color_of(const World& world, BodyId id) {
 std::vector<Property> motion() {
   return {
       property<BodyId>(
-          "position", "vec", "m", "position of the centre of mass",
+          "position", "vec", "m",
+          "position of the centre of mass; what it is hinged to stays where it is, and the next step draws both "
+          "together: move all of them",
           [](const World& w, BodyId b) { return w.motion_of(b).x; },
           [](World& w, BodyId b, Vec3 at) { set_position(w, b, at); }),
       property<BodyId>(

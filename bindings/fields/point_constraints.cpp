@@ -57,7 +57,9 @@ const Type& nail_type() {
 
 const Type& follow_type() {
   static const Type type =
-      type_of_constraint("Follow", "follow", "Keeps a point to a moving target; with max_force it never pulls harder.",
+      type_of_constraint("Follow", "follow",
+                         "Keeps a point to a moving target; with max_force as a spring and damper of its "
+                         "time_constant, and never harder: a weight hangs g time_constant^2 lower.",
                          {point_property(), target(),
                           or_infinity(property<ConstraintId>(
                               "max_force", "number", "N", "never pulls harder; math.huge: no limit",

@@ -362,7 +362,7 @@ function Particle:force(body) end
 
 ---Points at fixed relative positions: rigid. Its named points are fields: link.head.
 ---@class Body: AnyThing
----@field position vec [m] position of the centre of mass
+---@field position vec [m] position of the centre of mass; what it is hinged to stays where it is, and the next step draws both together: move all of them
 ---@field velocity vec [m/s] velocity of the centre of mass
 ---@field origin vec [m] position of its frame's origin
 ---@field orientation quat turns its frame to the world
@@ -424,7 +424,7 @@ function Body:remove_point(point) end
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 local Nail = {}
 
----Keeps a point to a moving target; with max_force it never pulls harder.
+---Keeps a point to a moving target; with max_force as a spring and damper of its time_constant, and never harder: a weight hangs g time_constant^2 lower.
 ---@class Follow: AnyConstraint
 ---@field point Point the point that it holds (read only)
 ---@field target vec [m] where the target is; written as a vec or a function of time [s]
@@ -495,7 +495,7 @@ local OnPlane = {}
 ---Is at most so long along its points; slides through the inner ones.
 ---@class String: AnyConstraint
 ---@field points (Point|vec)[] [m] what it goes through: points, or positions (read only)
----@field length number [m] the most that it is long; written as a number or a function of time [s]
+---@field length number [m] the most that it is long; written as a number or a function of time [s]. One that a script makes longer in each step is slack in between, and jerks: a function does not
 ---@field taken number [m] how long its way is now: less than its length where it is slack (read only)
 ---@field force number [N] tension in the last step, 0 where it is slack (read only)
 local String = {}
@@ -1829,7 +1829,7 @@ function OpenedScene:restore(snapshot) end
 
 ---@class FollowOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
----@field max_force? number [N] it never pulls harder (default `math.huge`)
+---@field max_force? number [N] it never pulls harder, and is a spring and damper then: a weight hangs g time_constant^2 lower (default `math.huge`)
 
 ---@class OrientOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)

@@ -160,7 +160,7 @@ const ConstraintCall follow_call = {
     "a point to a position or to something that moves",
     R"(---@class FollowOptions: ConstraintOptions
 ---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
----@field max_force? number [N] it never pulls harder (default `math.huge`)
+---@field max_force? number [N] it never pulls harder, and is a spring and damper then: a weight hangs g time_constant^2 lower (default `math.huge`)
 )"};
 
 const ConstraintCall rod_call = {
