@@ -46,7 +46,8 @@ void check_shapes(ShapesThen& then, const World& world) {
   if (!then.known) return;
   require(then.shapes.size() >= world.shapes.slots(), "where its shapes were contradicts itself");
   const auto is_there = [&](const BroadPhase::Pair& pair) {
-    return std::max(pair.first, pair.second) < world.shapes.slots();
+    return std::max(pair.first, pair.second) < world.shapes.slots() && world.shapes.alive_at(pair.first) &&
+           world.shapes.alive_at(pair.second) && world.shapes.at_slot(pair.first).body;
   };
   require(std::all_of(then.rebounding.begin(), then.rebounding.end(), is_there),
           "its shapes that rebound contradict themselves");
