@@ -42,7 +42,7 @@ std::vector<Property> motion() {
       property<BodyId>(
           "position", "vec", "m",
           "position of the centre of mass; what it is hinged to stays where it is, and the next step draws both "
-          "together: move all of them",
+          "together: `Group:move` moves all of it",
           [](const World& w, BodyId b) { return w.motion_of(b).x; },
           [](World& w, BodyId b, Vec3 at) { set_position(w, b, at); }),
       property<BodyId>(

@@ -75,6 +75,8 @@ std::vector<ConnectionId> connections_among(const World& world, const std::vecto
 /// What is at rest gets random velocities.
 void heat(World& world, const AnyId& things, double joules);
 void heat(World& world, const Things& things, double joules);
+/// Turns things as one about their centre of mass, with their velocities, and moves them by a way [m]: ties among them keep.
+void move(World& world, const Things& things, Vec3 by, const Quat& turn = {});
 /// Kinetic energy [J] relative to the common motion of what nothing holds.
 double heat_in(const World& world, const Things& things);
 

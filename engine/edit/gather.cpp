@@ -1,9 +1,11 @@
 // What a group's things have among them: near pairs, connections, heat.
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 #include "edit/assemble.hpp"
 #include "edit/common.hpp"
+#include "edit/edit.hpp"
 #include "measure/freedoms.hpp"
 #include "measure/near_pairs.hpp"
 
@@ -130,6 +132,44 @@ double heat_in(const World& world, const Things& things) {
   if (things.bodies.empty() && things.free_points.empty()) return 0.0;
   const Vec3 common = count_freedoms(world, things).loose * momentum(world, things);
   return energy(world, things).kinetic - 0.5 * norm2(common) / mass(world, things);
+}
+
+namespace {
+
+Vec3 centre_of_mass(const World& world, const Things& things) {
+  Vec3 moment = zero3();
+  for (const BodyId id : things.bodies) moment += world.motion_of(id).x * world.motion_of(id).mass;
+  for (const PointId id : things.free_points) moment += world.motion_of(id).x * world.points[id].mass;
+  return moment / mass(world, things);
+}
+
+}  // namespace
+
+void move(World& world, const Things& things, Vec3 by, const Quat& turn) {
+  require_unlocked(world, "move");
+  require_finite("move", "the way", by, "m");
+  require(!things.bodies.empty() || !things.free_points.empty(), "move: there is nothing to move");
+  const Quat q = unit("move", turn);
+  const Vec3 middle = centre_of_mass(world, things);
+  const auto there = [&](Vec3 x) { return middle + rotate(q, x - middle) + by; };
+  for (const BodyId id : things.bodies) require_finite("move", "a position", there(world.motion_of(id).x), "m");
+  for (const PointId id : things.free_points) require_finite("move", "a position", there(world.motion_of(id).x), "m");
+  const bool turns = std::fabs(q.w) < 1.0;
+  for (const BodyId id : things.bodies) {
+    const Motion& m = world.motion_of(id);
+    const Vec3 x = there(m.x), v = rotate(q, m.p / m.mass), spin = rotate(q, angular_velocity(m));
+    if (turns) {
+      set_orientation(world, id, q * orientation(world, id));
+      set_velocity(world, id, v);
+      set_spin(world, id, spin);
+    }
+    set_position(world, id, x);
+  }
+  for (const PointId id : things.free_points) {
+    const Vec3 x = there(world.motion_of(id).x), v = rotate(q, world.motion_of(id).v);
+    if (turns) set_velocity(world, id, v);
+    set_position(world, id, x);
+  }
 }
 
 void heat(World& world, const AnyId& target, double joules) {

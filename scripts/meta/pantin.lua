@@ -362,7 +362,7 @@ function Particle:force(body) end
 
 ---Points at fixed relative positions: rigid. Its named points are fields: link.head.
 ---@class Body: AnyThing
----@field position vec [m] position of the centre of mass; what it is hinged to stays where it is, and the next step draws both together: move all of them
+---@field position vec [m] position of the centre of mass; what it is hinged to stays where it is, and the next step draws both together: `Group:move` moves all of it
 ---@field velocity vec [m/s] velocity of the centre of mass
 ---@field origin vec [m] position of its frame's origin
 ---@field orientation quat turns its frame to the world
@@ -601,6 +601,14 @@ function Group:break_connections() end
 ---```
 ---@param energy number [J]
 function Group:heat(energy) end
+---Moves its bodies and particles as one, hinges and all; `turn` turns them about their centre of mass first, with their velocities. Returns the group.
+---```lua
+---group:move(vec(0, 2, 0), quat(vec(0, 1, 0), math.pi))
+---```
+---@param by vec [m]
+---@param turn? quat
+---@return Group
+function Group:move(by, turn) end
 ---Lower and upper corner [m] of the box round all its points; nil where it has none.
 ---```lua
 ---local lower, upper = group:bounds()

@@ -118,3 +118,49 @@ test("freeze: bodies and particles become one", function()
   expect(scene:result "points"):equal(5)
   expect(scene:result "bodies"):equal(1)
 end)
+
+local swinging = [[
+  scene.gravity = vec(0, 0, 0)
+  local car = scene:group "car"
+  local body = scene:box { name = "body", size = vec(2, 0.4, 1), at = vec(0, 1, 0), velocity = vec(1, 0, 0), spin = vec(0, 0.5, 0), points = { vec(-0.8, -0.3, 0), vec(0.8, -0.3, 0) } }
+  car:add(body)
+  for i = 1, 2 do
+    local wheel = scene:box { size = vec(0.3, 0.3, 0.1), at = body.points[i].position, spin = vec(0, 0, -3), points = { vec(0, 0, 0) } }
+    scene:hinge(body.points[i], wheel.points[1], { axis = vec(0, 0, 1) })
+    car:add(wheel)
+  end
+  local bob = scene:particle { name = "bob", at = vec(0, -0.5, 0), mass = 0.5 }
+  scene:rod(body.points[1], bob)
+  car:add(bob)
+]]
+
+test("a group that is moved and turned as one goes on as it would have, hinges and all", function()
+  local here, there = open_text(swinging), open_text(swinging .. [[
+    scene:at(0.5, function() scene:find "car":move(vec(5, 2, -1), quat(vec(0, 0, 1), 1)) end)
+  ]])
+  here:advance(1)
+  there:advance(1)
+  local turn, shift = quat(vec(0, 0, 1), 1), nil
+  for i, body in ipairs(here.bodies) do
+    local other = there.bodies[i]
+    shift = shift or other.position - turn:rotate(body.position)
+    expect((other.position - turn:rotate(body.position) - shift):length()):below(1e-9)
+    expect((other.velocity - turn:rotate(body.velocity)):length()):below(1e-9)
+    expect((other.spin - turn:rotate(body.spin)):length()):below(1e-9)
+  end
+  expect((there:find("bob").position - turn:rotate(here:find("bob").position) - shift):length()):below(1e-9)
+  expect(there.stats.fallback_steps):equal(0)
+  expect(there.energy.total):near(here.energy.total, 1e-9)
+end)
+
+test("what is no way, no turn or no group of things is not moved", function()
+  for code, message in pairs {
+    ["car:move(vec(0/0, 0, 0))"] = "must be a finite vec",
+    ["car:move(3)"] = "vec",
+    ["car:move(vec(1, 0, 0), 3)"] = "quat",
+    ["scene:group('none'):move(vec(1, 0, 0))"] = "move: there is nothing to move",
+    ["car:move(vec(1.7e308, 0, 0)) car:move(vec(1.7e308, 0, 0))"] = "a position",
+  } do
+    expect(function() open_text(swinging .. code) end):fails(message)
+  end
+end)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "edit/assemble.hpp"
 #include "edit/edit.hpp"
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/fields.hpp"
@@ -103,6 +104,15 @@ int cut_hinges(lua_State* state) {
   return 0;
 }
 
+int move_things(lua_State* state) {
+  const Self self = check_self(state, Kind::group, "move");
+  const Vec3 by = check_vec(state, 2, "group: move", argument(1), "m");
+  const Quat turn = lua_isnoneornil(state, 3) ? Quat{} : check_quat(state, 3, "group: move", argument(2));
+  move(self.world, things_of(self.world, group_id(self)), by, turn);
+  lua_settop(state, 1);
+  return 1;
+}
+
 int bounds_of(lua_State* state) {
   const Self self = check_self(state, Kind::group, "bounds");
   const Things things = things_of(self.world, group_id(self));
@@ -152,6 +162,11 @@ Type make_group_type() {
        "what rests gets random velocities, of which the next step takes what ties forbid (in the ledger's `edit`): "
        "heat again for the rest.",
        "group:heat(5)"},
+      {"move", guard<move_things>, "by: vec [m], turn?: quat", "Group",
+       "Moves its bodies and particles as one, hinges and all; `turn` turns them about their centre of mass first, "
+       "with their "
+       "velocities. Returns the group.",
+       "group:move(vec(0, 2, 0), quat(vec(0, 1, 0), math.pi))"},
       {"bounds", guard<bounds_of>, "", "vec?, vec?",
        "Lower and upper corner [m] of the box round all its points; nil where it has none.",
        "local lower, upper = group:bounds()"},
