@@ -176,8 +176,10 @@ struct ArticulateState {
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
   // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
   std::vector<Vec3> expected;
-  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity, at contacts and in drifts before the last
+  // one in the last step
   std::vector<Vec3> reaction;
+  double drift_share = 1.0;   // of the step: the last drift
   std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
   // (rows) [N s] running mean of those of projections, see `project_symmetrically`
   std::vector<Vec3> symmetric_impulses;
@@ -277,7 +279,7 @@ inline Vec3 force_in_drift(const Articulate& a, std::size_t k) {
 /// What row k exerted in the last step, on average [N].
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
   const Vec3 f = force_in_drift(a, k);
-  return a.reaction.empty() ? f : f + a.reaction[k];
+  return a.reaction.empty() ? f : f * a.drift_share + a.reaction[k];
 }
 /// The factor at hand, where it is of that, is so no more.
 inline void drop_factor(Articulate& a, FactorOf of) {

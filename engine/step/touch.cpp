@@ -163,12 +163,25 @@ void post_contacts(World& world, const TouchReport& report) {
   if (world.contacts.heat_kept) settle_heat(world, world.contacts, report.wrong);
 }
 
+/// What ties bore in this drift is a part of what they do in the step, if that has several.
+void note_drift(World& world) {
+  const double share = world.stage.h / world.settings.step;
+  for (const auto& articulate : world.articulates) {
+    Articulate& a = *articulate;
+    a.drift_share = share;
+    if (world.stage.to >= 1.0 || a.rest.asleep) continue;
+    a.reaction.resize(a.rows.size(), zero3());
+    for (std::size_t k = 0; k < a.rows.size(); k++) a.reaction[k] += force_in_drift(a, k) * share;
+  }
+}
+
 /// The last that could touch is gone: nothing goes on to press, and no motor has a bound.
 void forget_touch(World& world) {
   world.touch_space.reset();
   world.contacts.list.clear();
   for (const auto& articulate : world.articulates) {
     articulate->touches = false;
+    articulate->drift_share = 1.0;
     end_jams(*articulate);
     free_motors(*articulate);
   }
@@ -315,6 +328,7 @@ void meet_contacts(World& world) {
        settings_of(world, true, world.stage.to, world.stage.to), kicks_of(world), report);
   post_contacts(world, report);
   count(world, report);
+  note_drift(world);
   if (world.contacts.watched) feel(world, world.articulates, world.contacts);
   world.stats.contacts = report.contacts;
   world.stats.contact_islands = report.islands;

@@ -316,3 +316,24 @@ for _, rate in ipairs { 60, 240 } do
     end
   end)
 end
+
+test("what a motor and a nail are told to bear is the mean of the step, however many sub-steps blows make of it", function()
+  local scene = open_text [[
+    scene.step, scene.plane = 1 / 60, "xy"
+    local wheel = scene:cylinder { name = "wheel", radius = 0.3, length = 0.2, axis = vec(0, 0, 1), mass = 2, at = vec(0, 1, 0), points = { hub = vec(0, 0, 0) }, friction = 0.5, restitution = 0.6 }
+    scene:nail(wheel.hub, { name = "nail" })
+    scene:motor(wheel, { name = "motor", axis = vec(0, 0, 1), speed = -8, max_torque = 20 })
+    scene:box { name = "box", size = 0.3, mass = 5.5, at = vec(-0.1, 2.2, 0), friction = 0.7 }
+  ]]
+  local wheel, motor, nail, box = scene:find "wheel", scene:find "motor", scene:find "nail", scene:find "box"
+  local strikes = 0
+  for _ = 1, 60 do
+    local before = box.velocity
+    scene:step()
+    expect(math.abs(motor.torque.z)):below(20 * (1 + 1e-9))
+    local pressed = 5.5 * ((box.velocity - before) * 60 + vec(0, 9.81, 0)) -- by the wheel
+    if pressed:length() > 100 then strikes = strikes + 1 end
+    expect((nail.force - pressed - vec(0, 2 * 9.81, 0)):length()):below(1e-6 + 1e-3 * pressed:length())
+  end
+  expect(strikes):above(0)
+end)
