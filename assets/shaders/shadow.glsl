@@ -16,6 +16,8 @@ float darkness(float radius, float soft, float off) {
 // The map on which an edge that soft is some pixels wide.
 int map_for(float soft, float pixel) { return clamp(int(floor(log2(soft / (2.0 * pixel)))), 0, maps - 1); }
 #ifndef FRAGMENT
+// How dark the shadow is of what has sharp edges.
+float dark_at(vec3 place) { return place.y < level ? 0.0 : 1.0 / (1.0 + 1.2 * (place.y - level) / size); }
 // Nothing goes over the edge to another map.
 vec4 drawn(vec2 at, int k) {
   vec3 p = deep_on_map(at);

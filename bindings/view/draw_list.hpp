@@ -51,7 +51,7 @@ struct DrawList {
   /// What shows one picture; globes have in `second` how many round them and down.
   struct Sheet {
     std::shared_ptr<const Picture> picture;
-    std::vector<PictureCorner> corners, sprites;
+    std::vector<PictureCorner> corners, sprites, shades;  ///< shades: of sprites, as they throw shadows
     std::vector<Ellipsoid> globes;
     bool shown;  ///< in this frame
   };

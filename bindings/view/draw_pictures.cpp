@@ -33,7 +33,7 @@ DrawList::Sheet& DrawList::sheet_of(const std::shared_ptr<const Picture>& pictur
     sheet.shown = true;
     return sheet;
   }
-  return sheets.emplace_back(Sheet{picture, {}, {}, {}, true});
+  return sheets.emplace_back(Sheet{picture, {}, {}, {}, {}, true});
 }
 
 void DrawList::clear_sheets() {
@@ -41,6 +41,7 @@ void DrawList::clear_sheets() {
   for (Sheet& sheet : sheets) {
     sheet.corners.clear();
     sheet.sprites.clear();
+    sheet.shades.clear();
     sheet.globes.clear();
     sheet.shown = false;
   }
@@ -76,20 +77,25 @@ void DrawListMaker::draw_sprite(const World& world, const Cover& sprite, const P
     way.up = pose.R * way.up;
     if (dot(way.normal, eye.forward) > 0.0) way.normal = -way.normal;
   }
-  const Vec3 half_right = way.right * (0.5 * sprite.width), half_up = way.up * (0.5 * height_of(sprite));
   const Vec3 middle = pose.x + way.normal * (sprite_lift * (slot % sprite_lifts) * eye.unit);
   const PictureEdges e = edges_of(*sprite.picture);
   DrawList::Sheet& sheet = draw_list.sheet_of(sprite.picture);
-  const auto corner = [&](double right, double up) {
-    sheet.sprites.push_back({eye.place(middle + half_right * right + half_up * up),
-                             {},
-                             linear(color),
-                             right < 0.0 ? e.left : e.right,
-                             up < 0.0 ? e.lower : e.upper});
-    include(draw_list, sheet.sprites.back().at, 0.0f);
+  const auto add = [&](std::vector<DrawList::PictureCorner>& corners, const Upright& as) {
+    const Vec3 half_right = as.right * (0.5 * sprite.width), half_up = as.up * (0.5 * height_of(sprite));
+    const auto corner = [&](double right, double up) {
+      corners.push_back({eye.place(middle + half_right * right + half_up * up),
+                         {},
+                         linear(color),
+                         right < 0.0 ? e.left : e.right,
+                         up < 0.0 ? e.lower : e.upper});
+      include(draw_list, corners.back().at, 0.0f);
+    };
+    corner(-1, -1), corner(1, -1), corner(1, 1);
+    corner(-1, -1), corner(1, 1), corner(-1, 1);
   };
-  corner(-1, -1), corner(1, -1), corner(1, 1);
-  corner(-1, -1), corner(1, 1), corner(-1, 1);
+  add(sheet.sprites, way);
+  add(sheet.shades,
+      world.plane.flat() ? way : Upright{way.right, vec(0, 1, 0), way.normal});  // else of what stands upright
 }
 
 void cover_floor(DrawList& draw_list, DrawList::Floor& floor, const Cover& cover, Vec3 middle, const Mat3& axes,

@@ -29,7 +29,8 @@ Shadows::Shadows(bool shelters)
     : map_(map_pixels(shelters) * 3 / 2, map_pixels(shelters), 0, Target::Format::shade),
       ball_("shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""),
       bar_("shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""),
-      mesh_("shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, "") {
+      mesh_("shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, ""),
+      sprite_("shadow_sprite", {"shadow_maps.glsl", "shadow.glsl"}, "") {
   if (shelters) shelter_.emplace();
 }
 
@@ -47,7 +48,7 @@ bool Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
-  for (const ShaderProgram* program : {&ball_, &bar_, &mesh_}) {
+  for (const ShaderProgram* program : {&ball_, &bar_, &mesh_, &sprite_}) {
     bind_maps(*program);
     program->set("size", static_cast<float>(stage.size / camera.distance));
     program->set("pixels", static_cast<float>(map_.height()));
@@ -61,6 +62,7 @@ bool Shadows::draw_maps(const Casters& casters, const DrawList& draw_list, const
   casters.shades.draw(mesh_, GL_TRIANGLES);
   casters.balls.draw(ball_, GL_TRIANGLES, 3);
   casters.bars.draw(bar_, GL_TRIANGLE_STRIP, 4);
+  casters.sheets.draw_sprite_shadows(sprite_);
   for (GLenum side = 0; side < 4; side++) glDisable(GL_CLIP_DISTANCE0 + side);
   if (shelter_) draw_heights(casters);
   glBlendEquation(GL_FUNC_ADD);

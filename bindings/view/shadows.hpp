@@ -35,7 +35,7 @@ class Shadows {
   void draw_heights(const Casters& casters);
 
   Target map_;
-  ShaderProgram ball_, bar_, mesh_;
+  ShaderProgram ball_, bar_, mesh_, sprite_;
   struct Programs {
     Target heights;
     std::optional<Target> found, smoothed;  // half as many pixels a side

@@ -19,7 +19,8 @@ struct Sheets::Programs {
 struct Sheets::Sheet {
   std::shared_ptr<const Picture> picture;
   Texture texture;
-  FloatRows corners{{3, 3, 3, 2}, false}, sprites{{3, 3, 3, 2}, false}, globes{{3, 3, 3, 3, 3, 3}, true};
+  FloatRows corners{{3, 3, 3, 2}, false}, sprites{{3, 3, 3, 2}, false}, shades{{3, 3, 3, 2}, false},
+      globes{{3, 3, 3, 3, 3, 3}, true};
 };
 
 namespace {
@@ -48,6 +49,7 @@ void Sheets::send(const std::vector<DrawList::Sheet>& list) {
                        : std::unique_ptr<Sheet>(new Sheet{sheet.picture, texture_of(*sheet.picture)}));
     kept.back()->corners.send(sheet.corners);
     kept.back()->sprites.send(sheet.sprites);
+    kept.back()->shades.send(sheet.shades);
     kept.back()->globes.send(sheet.globes);
   }
   sheets_ = std::move(kept);
@@ -55,6 +57,14 @@ void Sheets::send(const std::vector<DrawList::Sheet>& list) {
 
 void Sheets::draw_shadows(const ShaderProgram& program) const {
   for (const auto& sheet : sheets_) sheet->corners.draw(program, GL_TRIANGLES);
+}
+
+void Sheets::draw_sprite_shadows(const ShaderProgram& program) const {
+  for (const auto& sheet : sheets_) {
+    if (sheet->shades.count() == 0) continue;
+    sheet->texture.bind();
+    sheet->shades.draw(program, GL_TRIANGLES);
+  }
 }
 
 void Sheets::draw_globes(const ShaderProgram& program) const {

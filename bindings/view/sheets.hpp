@@ -21,6 +21,7 @@ class Sheets {
   void send(const std::vector<DrawList::Sheet>& list);
   bool empty() const { return sheets_.empty(); }
   void draw_shadows(const ShaderProgram& program) const;
+  void draw_sprite_shadows(const ShaderProgram& program) const;
   void draw_globes(const ShaderProgram& program) const;
   /// `set_camera` is called with each program.
   void draw(const std::function<void(const ShaderProgram&)>& set_camera) const;

@@ -2,10 +2,14 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <numbers>
 #include <vector>
 
+#include "base/rotation.hpp"
+#include "edit/edit.hpp"
 #include "view/renderer.hpp"
 #include "view/window.hpp"
+#include "window/pictured.hpp"
 #include "window/small_worlds.hpp"
 
 using namespace pantin;
@@ -87,5 +91,35 @@ TEST_CASE("in pictures a thin rod throws its shadow, however wide the box is tha
     CAPTURE(along);
     CHECK(picture.darker(fallen + vec(0, 0, along)) > 8);
     CHECK(std::abs(picture.darker(fallen + vec(0.1, 0, along))) < 8);
+  }
+}
+
+TEST_CASE("a sprite throws the shadow of what is opaque of it, of a card that stands upright", "[window]") {
+  const Window window("test", 320, 180, true);
+  World world;
+  BodyDef def;
+  def.at = vec(0, 2, 0);
+  def.shapes = {small_worlds::shape(BallShape{0.5})};
+  const auto half =
+      pictured::picture(64, 64, [](double x, double) { return x < 0.5 ? pictured::red : pictured::clear; });
+  def.sprite = std::make_shared<const Cover>(Cover{half, 2.0, zero3(), zero3()});
+  add_body(world, def);
+  ShapeDef floor = small_worlds::shape(HalfSpaceShape{});
+  floor.orientation = quaternion_of(vec(1, 0, 0), -0.5 * std::numbers::pi);
+  add_shape(world, floor);
+  Camera camera;
+  camera.look(vec(0, 6, 9), vec(0.5, 1, 0));
+  const Vec3 light = key_light();
+  for (const int samples : {0, 4}) {
+    const LitAndShaded picture(world, camera, samples);
+    const auto darker_below = [&](double right, double up) {
+      const Vec3 of = vec(right, 2 + up, 0);
+      return picture.darker(of - light * (of[1] / light[1]));
+    };
+    CAPTURE(samples);
+    CHECK(darker_below(-0.5, 0) > 8);
+    CHECK(darker_below(-0.5, 0.7) > 8);
+    CHECK(std::abs(darker_below(0.5, 0)) < 4);
+    CHECK(std::abs(darker_below(-0.5, 1.4)) < 4);
   }
 }

@@ -8,6 +8,7 @@
 #include "window/played_chain.hpp"
 
 using namespace pantin;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -77,6 +78,28 @@ TEST_CASE("an act that is forgotten is none, and what was undone before it can b
   CHECK(told == "redo: nail");
   undo.forget(failed);
   CHECK(undo.last() == "nail");
+}
+
+TEST_CASE("an act that fails is told, and undo takes back what was done before it", "[window]") {
+  Session session;
+  session.cut();
+  REQUIRE(hinges(session.world()).size() == 4);
+  const Projected head = session.seen(vec(0, 4, 0)), tail = session.seen(vec(1, 4, 0));
+  pushed::tap(SDLK_3);
+  session.frames(1);
+  session.drag(head.x, head.y, tail.x, tail.y);  // ends of one body
+  session.steps(1);
+  CHECK_THAT(session.player->told(), Contains("join by hand 1") && Contains("both points belong to"));
+  CHECK(hinges(session.world()).size() == 4);
+  const std::uint64_t after = state_hash(session.world());
+  session.with_control(SDLK_z);
+  CHECK(session.player->told() == "undo: cut");
+  CHECK(hinges(session.world()).size() == 5);
+  session.drag(head.x, head.y, tail.x, tail.y);
+  session.steps(1);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == after);
+  CHECK(session.player->failure().empty());
 }
 
 TEST_CASE("undo with nothing done changes nothing, and a hand that held lets go", "[window]") {

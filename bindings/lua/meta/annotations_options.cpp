@@ -20,7 +20,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field low? vec [m] corner of the box that it lies over, in the shape's axes: of a piece, that of the whole (default the shape's own)
 ---@field high? vec [m] the corner opposite to that (default the shape's own)
 
----A flat picture that is drawn instead of a thing; what is less than half opaque of it is not there. A .glb has the thing.
+---A flat picture that is drawn instead of a thing; what is less than half opaque of it is not there. It throws the shadow of a card that stands upright. A .glb has the thing.
 ---@class Sprite
 ---@field file string a PNG or JPEG in the scene's folder or assets/pictures
 ---@field width number [m] of the picture
