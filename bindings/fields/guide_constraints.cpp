@@ -27,9 +27,10 @@ const Type& string_type() {
       "String", "string", "Is at most so long along its points; slides through the inner ones.",
       {fixed(property<ConstraintId>("points", "(Point|vec)[]", "m", "what it goes through: points, or positions",
                                     [](const World& w, ConstraintId c) { return passages(w, c); })),
-       kept_property("length", "m",
-                     "the most that it is long; written as a number or a function of time [s]. One that a script makes "
-                     "longer in each step is slack in between, and jerks: a function does not"),
+       kept_property(
+           "length", "m",
+           "the most that it is long; written as a number or a function of time [s]. One that is written longer "
+           "becomes so evenly in the step after"),
        property<ConstraintId>("taken", "number", "m", "how long its way is now: less than its length where it is slack",
                               [](const World& w, ConstraintId c) { return present_value(w, constraint_row(w, c)); }),
        property<ConstraintId>("force", "number", "N", "tension in the last step, 0 where it is slack",

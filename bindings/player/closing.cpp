@@ -14,6 +14,7 @@
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "scene/printable.hpp"
+#include "step/articulate_warnings.hpp"
 
 namespace pantin::player {
 namespace {
@@ -40,15 +41,14 @@ std::string unpaid(const World& world) {
          all;
 }
 
-/// Whether ties contradict each other, or are pulled farther than they reach.
-bool is_torn(const World& world) {
-  return std::ranges::any_of(
-      world.log, [](const LogLine& line) { return line.text.find(" cannot be kept: ") != std::string::npos; });
+bool tells(const World& world, std::string_view what) {
+  return std::ranges::any_of(world.log, [&](const LogLine& line) { return line.text.find(what) != std::string::npos; });
 }
 
 /// What to do about an energy that went wrong.
 std::string remedy(const World& world, const std::string& path) {
-  if (is_torn(world)) return "; it goes where ties cannot be kept, which no shorter step mends";
+  if (tells(world, " cannot be kept: ")) return "; it goes where ties cannot be kept, which no shorter step mends";
+  if (tells(world, held_by_itself)) return "; it goes where ties have no way to go, which no shorter step mends";
   return text(unpaid(world), "; `pantin report ", path, "` compares steps and integrators", try_accuracy(world),
               suspects(world));
 }

@@ -93,6 +93,8 @@ inline bool has_range(const Constraint& c) { return rule_of(c).has_range != null
 inline bool is_drawn_in(const Constraint& c) {
   return std::fabs(c.attract.previous_excess) > 1e-4 * std::fabs(c.attract.first_excess);
 }
+/// Whether a string has become as long as it was last written: it does so in the step after.
+inline bool is_paid_out(const Constraint& c) { return c.number.rate != 0.0; }
 /// What a constraint misses now, but for what it still attracts [m].
 inline double present_gap(const Model& model, const Constraint& c) {
   return rule_of(c).gap == nullptr ? 0.0 : rule_of(c).gap(model, c);

@@ -98,6 +98,9 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
   wake(world, c);
   const std::string who = describe(world, id);
   require_kept(who, c, value);
+  const bool pays_out =
+      c.kind == ConstraintKind::string && value > c.number.now && !function && !c.number.of_time && !is_drawn_in(c);
+  const double from = is_paid_out(c) ? c.number.now : c.number.previous;
   c.number.of_time = std::move(function);
   if (c.by_speed) {
     c.number.rate = value;
@@ -111,6 +114,7 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
     c.number.now = value;
   }
   start_constraint(world, c);
+  if (pays_out) c.number.previous = from;
 }
 
 void set_attitude(World& world, ConstraintId id, const Quat& to, std::function<Quat(double)> target) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "articulates/build/build.hpp"
 #include "articulates/solve/midpoint.hpp"
@@ -17,6 +16,7 @@
 #include "constraints/stiff.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
+#include "step/articulate_warnings.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
 #include "step/reject.hpp"
@@ -92,19 +92,6 @@ void post_work(World& world, const DriftReport& report) {
   post(world, Source::limit, report.limit);
 }
 
-/// What begins so is told once of a scene.
-void tell_once(World& world, const std::string& kind, const std::string& what, const std::string& rest) {
-  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
-  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, kind, what + rest);
-}
-
-/// The first thing of an articulate, for whoever reads of it.
-std::string first_of(const World& world, const Articulate& articulate) {
-  const Node& n = articulate.nodes[0];
-  return n.is_body ? describe(world, world.bodies.id_at(n.slot))
-                   : describe(world, world.points.at_slot(n.slot).particle);
-}
-
 void count(World& world, const Articulate& articulate) {
   const DriftReport& report = articulate.report;
   world.stats.newton_iterations += report.iterations;
@@ -124,65 +111,6 @@ void count(World& world, const Articulate& articulate) {
     tell_once(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges", "");
   if (report.unreached > 0.0)
     tell_unreached(world, report.unreached, "the motion of what is tied to " + first_of(world, articulate));
-}
-
-/// What ties by a row, for whoever reads of it.
-std::string describe_tie(const World& world, const Articulate& articulate, const Row& row) {
-  if (row.condition < 0) return describe(world, world.points[row.member].particle);
-  return describe(world, condition(articulate, row).constraint);
-}
-
-/// Names, once, a motor of unlimited torque that stands against a limit.
-void tell_stalled(World& world, const Articulate& a) {
-  if (a.all_rigid) return;
-  const Row* limit = nullptr;
-  for (const Condition& c : a.conditions)
-    if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
-  if (limit == nullptr) return;
-  for (const Condition& c : a.conditions)
-    if (std::isfinite(c.stall_force) && std::isinf(c.upper))
-      tell_once(world, "warning", text(describe_tie(world, a, row(a, c)), " stalls: "),
-                text(describe_tie(world, a, *limit), " does not let it turn"));
-}
-
-/// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
-void tell_open(World& world, Articulate& a) {
-  constexpr std::uint32_t some = 10;
-  a.open_steps = a.gaps.unaccepted > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
-  if (a.open_steps != some) return;
-  const Row* worst = nullptr;
-  double most = 0.0;
-  for (const Row& row : a.rows) {
-    const double open = is_soft(row) ? 0.0 : norm(gap(a, row));
-    if (open <= most) continue;
-    worst = &row;
-    most = open;
-  }
-  if (worst == nullptr) return;
-  const std::string what = describe_tie(world, a, *worst) + " cannot be kept: ";
-  tell_once(world, "warning", what,
-            text("it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
-}
-
-/// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
-void tell_too_stiff(World& world, const Articulate& a) {
-  constexpr std::string_view too_stiff = " is too stiff for the step: ";
-  if (!a.fell_back || a.effort.failed < most_failed || a.gaps.unaccepted > world.settings.tolerance * a.length) return;
-  const StiffBond* stiffest = nullptr;
-  double most = 0.0;
-  for (const Condition& c : a.conditions) {
-    if (!c.stiff) continue;
-    double pull = 0.0;
-    for (const double of_curve : c.stiff->pulls) pull += std::fabs(of_curve);
-    if (!(pull > most)) continue;
-    stiffest = c.stiff.get();
-    most = pull;
-  }
-  const auto told = [&](const LogLine& line) { return line.text.find(too_stiff) != std::string_view::npos; };
-  if (stiffest == nullptr || std::any_of(world.log.begin(), world.log.end(), told)) return;
-  log_line(world, "warning",
-           text(describe(world, stiffest->connection), too_stiff, "its motion at a step of ", world.settings.step,
-                " s cannot be solved, and in fallback steps its length is held as it is; a rod keeps a length"));
 }
 
 /// Which articulates laws act on, or may touch something; none: none.
@@ -251,11 +179,7 @@ void drift_articulates(World& world, Move move) {
       true);
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
-    if (world.stage.to == 1.0) {
-      tell_open(world, *articulate);
-      tell_stalled(world, *articulate);
-      tell_too_stiff(world, *articulate);
-    }
+    if (world.stage.to == 1.0) warn(world, *articulate);
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
     count(world, *articulate);

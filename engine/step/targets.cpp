@@ -164,6 +164,13 @@ void move_length(const World& world, ConstraintId id, Constraint& c, double time
                                     : (c.number.now - c.number.previous + c.bend.rate(1.0)[0]) / h;
 }
 
+/// A string that was written longer becomes so in this step.
+void pay_out(Constraint& c, double h) {
+  if (is_paid_out(c)) c.number.previous = c.number.now;
+  c.number.rate = (c.number.now - c.number.previous) / h;
+  c.moves = 1;
+}
+
 void move_orientation(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
     return turned_in_plane(world, c.body_a, unit(describe(world, id), c.turn.of_time(t)));
@@ -205,6 +212,7 @@ void sample_targets(World& world) {
     if (c.enabled && counts_turns(c)) count_anew(world, c);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
+    if (c.kind == ConstraintKind::string && !c.number.of_time) pay_out(c, h);
     if (c.turn.of_time) move_orientation(world, id, c, time, h);
     go_on_from_here(world, c, h);
     draw_in(world, c, h);

@@ -305,6 +305,24 @@ test("a spring too stiff to be solved is named, once", function()
   expect(warnings(scene)[1]:find("is too stiff for the step", 1, true) ~= nil):equal(true)
 end)
 
+test("a chain drawn straight between two nails is told, by what bears most; with a millimetre of slack it is not", function()
+  for slack, told in pairs { [0] = 1, [0.001] = 0 } do
+    local scene = open_text(([[
+      local previous
+      for i = 1, 12 do
+        local plank = scene:box { size = vec(0.5, 0.06, 1), at = vec(0.5 * i, 0, 0), density = 600,
+                                  points = { l = vec(-0.25, 0, 0), r = vec(0.25, 0, 0) } }
+        if previous then scene:hinge(previous.r, plank.l) else scene:nail(plank.l, vec(0.25 + %g, 0, 0)) end
+        previous = plank
+      end
+      scene:nail(previous.r)
+    ]]):format(slack))
+    scene:advance(0.5)
+    expect(#warnings(scene)):equal(told)
+    if told == 1 then expect(warnings(scene)[1]:find("drawn straight between two nails", 1, true) ~= nil):equal(true) end
+  end
+end)
+
 test("closing the gap of a hinge made over one is an edit, which leaves no energy error", function()
   local scene = open_text [[
     local a = scene:body { at = vec(0, 0, 0), mass = 1, inertia = vec(0.1, 0.1, 0.1),

@@ -226,3 +226,39 @@ test("a motor of a speed comes to it as fast as its torque can, and never goes p
     end
   end
 end)
+
+test("a string that a script pays out in each step bears as one whose length is a function of time", function()
+  for _, rate in ipairs { 60, 240, 777 } do
+    local scene = open_text(([[
+      scene.step = 1 / %d
+      local load = scene:ball { radius = 0.1, mass = 2, at = vec(0, 2, 0), points = { top = vec(0, 0, 0) } }
+      rope = scene:string({ vec(0, 4, 0), load.top }, { length = 2, name = "rope" })
+      local speed = 0.5 -- m/s
+      scene:behave(load, { step = function(_, dt) rope.length = rope.length + speed * dt end })
+      local least, most = math.huge, 0
+      scene:behave(load, { step = function()
+        if scene.time < 0.3 then return end
+        least, most = math.min(least, rope.force), math.max(most, rope.force)
+      end })
+      scene:at(1, function() scene:result("least", least) scene:result("most", most) end)
+    ]]):format(rate))
+    scene:advance(1.1)
+    expect(scene:result("least")):near(2 * 9.81, 1e-6)
+    expect(scene:result("most")):near(2 * 9.81, 1e-6)
+    expect(scene:find("rope").taken):near(scene:find("rope").length, 1e-12)
+  end
+end)
+
+test("a string that is written longer twice between two steps, or in a step of another length, is slack by the whole", function()
+  local scene = open_text [[
+    local load = scene:ball { radius = 0.1, at = vec(0, 2, 0), points = { top = vec(0, 0, 0) } }
+    local rope = scene:string({ vec(0, 4, 0), load.top }, { length = 2, name = "rope" })
+    scene:at(0.1, function() rope.length = 2.5 rope.length = 3 end)
+    scene:at(0.1 + scene.step, function() scene.step = 1 / 60 end)
+    scene:at(0.3, function() scene:result("taken", rope.taken) scene:result("time", scene.time) end)
+  ]]
+  scene:advance(0.4)
+  expect(scene:result("taken")):near(2 + 0.5 * 9.81 * (scene:result("time") - 0.1) ^ 2, 1e-3)
+  scene:advance(2)
+  expect(scene:find("rope").taken):near(3, 1e-9)
+end)
