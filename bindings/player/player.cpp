@@ -55,7 +55,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
     return;
   }
   lasting_ = lasting_of(path_);
-  scene_options_.saved = lasting_.values();
+  scene_options_.saved = lasting_->values();
   adopt(load(path_, scene_options_));
   camera_ = own_camera();
   if (!options_.record.empty()) begin_recording();
@@ -65,8 +65,9 @@ void Player::confine_window(const std::string& home) {
   confine(reach_of_window(options_, path_.empty() ? options_.scenes + "/" : path_, home));
 }
 
-SavedFile Player::lasting_of(const std::string& path) const {
-  return options_.untrusted ? SavedFile() : SavedFile(path_as_recorded(path, scene_options_.home));
+std::shared_ptr<SavedFile> Player::lasting_of(const std::string& path) const {
+  return options_.untrusted ? std::make_shared<SavedFile>()
+                            : std::make_shared<SavedFile>(path_as_recorded(path, scene_options_.home));
 }
 
 std::string Player::title() const {

@@ -2,9 +2,11 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "player/aim.hpp"
 #include "player/browser.hpp"
@@ -67,6 +69,13 @@ class Player {
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// What a scene was opened from.
+  struct Opened {
+    std::string path;
+    SceneOptions options;
+    std::shared_ptr<SavedFile> lasting;
+    Reload::Read read;
+  };
 
   std::string title() const;
   void act(const Actions& actions);
@@ -80,6 +89,10 @@ class Player {
   std::uint64_t keep_for_undo(const std::string& act, const StepInput& before);
   void go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&));
   void put_in_place(const Scene& old);
+  void go_back_to(const Opened& opened);
+  void note_opened();
+  bool loses_by(std::string_view act) const;
+  void replace(const std::string& act, const std::string& told);
   void do_at_once();
   void tell(const std::string& what);
   void tell_dropped();
@@ -110,7 +123,7 @@ class Player {
   Camera own_camera() const;
   void begin_recording();
   /// Of a stranger's scene nothing is kept.
-  SavedFile lasting_of(const std::string& path) const;
+  std::shared_ptr<SavedFile> lasting_of(const std::string& path) const;
   void confine_window(const std::string& home);
   void record(const std::string& path);
   void stop_recording(const std::string& why);
@@ -153,8 +166,9 @@ class Player {
   Gestures gestures_;
   Steering steering_;
   Speaker speaker_;
-  SavedFile lasting_;  ///< what the scene keeps for the next time
+  std::shared_ptr<SavedFile> lasting_ = std::make_shared<SavedFile>();  ///< what the scene keeps for the next time
   Undo undo_;
+  std::map<std::weak_ptr<Scene>, Opened, std::owner_less<>> opened_;  ///< the scenes that there are
   bool acted_ = false;  ///< something was done to the scene since it was opened, which is lost when it is again
   PaletteWish undo_wish_;
   std::string told_;  ///< what a tool did last, or why it did nothing

@@ -101,6 +101,7 @@ void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInpu
     acted_ = true;
     changed_at_ = {};  // a change of a parameter is an act of its own
     if (scene_ != old) {
+      go_back_to(opened_.at(scene_));
       put_in_place(*old);
       paused_ = true;  // somebody may have been building
       told += "; paused";
@@ -111,6 +112,14 @@ void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInpu
     take_parameters(*scene_, scene_options_.set);
   }
   tell(told);
+}
+
+/// What was saved since is not reloaded for that.
+void Player::go_back_to(const Opened& opened) {
+  path_ = opened.path;
+  scene_options_ = opened.options;
+  lasting_ = opened.lasting;
+  reload_.go_back_to(opened.read);
 }
 
 /// Of a paused scene nothing waits for play but what a step is needed for.

@@ -12,7 +12,7 @@ void Player::begin_recording() {
 
 void Player::record(const std::string& path) {
   const auto named = [home = scene_options_.home](const std::string& file) { return path_as_recorded(file, home); };
-  RecordingHead head{program_version(), named(path_), scene_options_.set, {}, lasting_.written()};
+  RecordingHead head{program_version(), named(path_), scene_options_.set, {}, lasting_->written()};
   for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
   recorder_ = std::make_unique<Recorder>(path, std::move(head));
   reload_.on_read = [this, named](const FileRead& file) {
@@ -40,6 +40,7 @@ void Player::reload() {
   std::optional<Reloaded> reloaded = reload_.look(*scene_, path_, scene_options_);
   if (!reloaded) return;
   if (!reloaded->scene) return complain(reloaded->error);
+  if (loses_by("reload")) replace("reload", "the scene goes on with the saved file");
   if (recorder_) recorder_->gone_on();
   const CarriedOver& carried = reloaded->carried;
   waiting_ = carried_over(waiting_, carried);
@@ -49,8 +50,9 @@ void Player::reload() {
   });
   const auto chosen = carried.things.find(chosen_);
   chosen_ = chosen == carried.things.end() ? AnyId{} : chosen->second;
-  undo_.clear();
   scene_ = std::move(reloaded->scene);
+  note_opened();
+  acted_ = false;
   changes_++;
   log_read_ = scene_->world().log.size();
   follower_ = {};

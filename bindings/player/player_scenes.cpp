@@ -80,6 +80,7 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
 
 void Player::adopt(std::shared_ptr<Scene> fresh) {
   const std::shared_ptr<Scene> old = std::exchange(scene_, std::move(fresh));
+  note_opened();
   waiting_ = {};
   times_ = {};
   failure_.clear();
@@ -89,6 +90,20 @@ void Player::adopt(std::shared_ptr<Scene> fresh) {
   adopted_ = Clock::now();
   hands_.reset();
   put_in_place(*old);
+}
+
+void Player::note_opened() {
+  std::erase_if(opened_, [](const auto& opened) { return opened.first.expired(); });
+  opened_[scene_] = {path_, scene_options_, lasting_, reload_.read()};
+}
+
+/// Whether something was done that has to come back before what was done earlier does.
+bool Player::loses_by(std::string_view act) const { return acted_ || (!undo_.last().empty() && undo_.last() != act); }
+
+/// Another scene is about to take the place of the one that plays, which is an act.
+void Player::replace(const std::string& act, const std::string& told) {
+  undo_.replace(scene_, times_, waiting_, act);
+  tell(told + ": ctrl+z brings back what was");
 }
 
 /// Another scene is shown from now on; what hands and eyes know of the old one they forget.
@@ -113,10 +128,7 @@ void Player::restart() {
   const bool stays_paused = paused_ && failure_.empty();
   try {
     std::shared_ptr<Scene> fresh = load(path_, scene_options_);
-    if (acted_) {
-      undo_.replace(scene_, times_, waiting_, "restart");
-      tell("the scene starts again: ctrl+z brings back what was");
-    }
+    if (acted_) replace("restart", "the scene starts again");
     adopt(std::move(fresh));
     if (recorder_) recorder_->restarted();
     paused_ = stays_paused;
@@ -127,8 +139,9 @@ bool Player::open(const std::string& path) {
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<Scene> fresh;
-  SavedFile lasting = lasting_of(path);
-  options.saved = lasting.values();
+  lasting_->write();
+  std::shared_ptr<SavedFile> lasting = lasting_of(path);
+  options.saved = lasting->values();
   try {
     fresh = load(path, options);
   } catch (const std::exception& error) { return complain(error.what()), false; }
@@ -185,7 +198,7 @@ void Player::open_state() {
 
 /// What the scene asked for; where it cannot be opened, that is told once.
 void Player::open_next() {
-  lasting_.keep();
+  lasting_->keep();
   if (const std::string next = scene_->take_next(); !next.empty()) open(next);
 }
 

@@ -24,6 +24,12 @@ std::unique_ptr<Scene> Reload::open(const std::string& path, SceneOptions option
   return scene;
 }
 
+void Reload::go_back_to(const Read& read) {
+  for (const auto& [path, content] : *read) watch_.add(path);
+  watch_.keep_only(*read);
+  files_ = read;
+}
+
 std::optional<Reloaded> Reload::look(Scene& playing, const std::string& path, const SceneOptions& options,
                                      FileWatch::Clock::time_point now) {
   if (!watch_.changed(now)) return {};

@@ -21,21 +21,27 @@ struct Reloaded {
 /// Opens scenes, and opens them again when a file that they read was saved.
 class Reload {
  public:
+  using Files = std::map<std::string, std::string>;
+  using Read = std::shared_ptr<const Files>;
+
   /// Opens a scene; its files are watched from then on, even where this throws.
   std::unique_ptr<Scene> open(const std::string& path, SceneOptions options);
   /// Whether a file was saved, and what came of that.
   std::optional<Reloaded> look(Scene& playing, const std::string& path, const SceneOptions& options,
                                FileWatch::Clock::time_point now = FileWatch::Clock::now());
   /// Files that the scene opened last read so far, with their contents.
-  const std::map<std::string, std::string>& files() const { return *files_; }
+  const Files& files() const { return *files_; }
+  /// The same, also after another scene was opened.
+  Read read() const { return files_; }
+  /// A scene that was opened before another is played again: it was opened last, with its files as they are now.
+  void go_back_to(const Read& read);
 
   /// Told each file that is read from now on; may be empty.
   std::function<void(const FileRead&)> on_read;
 
  private:
-  using Files = std::map<std::string, std::string>;
   FileWatch watch_;
-  std::shared_ptr<Files> files_ = std::make_shared<Files>();
+  Read files_ = std::make_shared<Files>();
 };
 
 /// What hands did for the old scene, for the new one: what concerns things that are gone is left out.

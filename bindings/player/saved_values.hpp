@@ -22,10 +22,10 @@ class SavedFile {
   const SavedValues& written() const { return written_; }
   /// Writes what has changed, at most once a second, and at the end.
   void keep();
-
- private:
+  /// The same at once.
   void write();
 
+ private:
   std::string path_;  ///< empty: it is not kept
   std::shared_ptr<SavedValues> values_ = std::make_shared<SavedValues>();
   SavedValues written_;

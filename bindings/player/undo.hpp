@@ -12,8 +12,9 @@
 
 namespace pantin::player {
 
-/// The latest acts of hands, edits, changes of parameters and restarts, each with the scene, the times of its steps and what waited for the next step, as
-/// they were before; they are taken back by putting that back. A scene that another took the place of is kept as it is.
+/// The latest acts of hands, edits, changes of parameters, and what put another scene in the place of one; each with the
+/// scene, the times of its steps and what waited for the next step, as they were before; they are taken back by putting
+/// that back. A scene that another took the place of is kept as it is.
 class Undo {
  public:
   /// An act begins: its number. Where the scene cannot be put back, nothing is kept, and that is 0; throws Error where it

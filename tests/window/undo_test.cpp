@@ -24,6 +24,13 @@ struct Session : PlayedChain {
     options.paused = true;
     return options;
   }
+  /// Makes a rod below the chain with the tool.
+  void make_rod() {
+    const Projected from = seen(vec(1, 1, 0)), to = seen(vec(3, 1, 0));
+    pushed::tap(SDLK_8);
+    frames(1);
+    drag(from.x, from.y, to.x, to.y);
+  }
   /// Cuts the third hinge with the tool.
   void cut() {
     const Projected at = seen(position(world(), hinges(world())[2]));
@@ -190,6 +197,35 @@ TEST_CASE("a restart that loses what was done is undone, and done again", "[wind
   CHECK(session.world().steps == 7);
   session.with_control(SDLK_z);
   CHECK(hinges(session.world()).size() == (more.empty() ? 5 : 4));  // a play cannot be wound back
+  CHECK(session.player->failure().empty());
+}
+
+TEST_CASE("a reload that loses what was built is undone, and the saved file is not reloaded again by that",
+          "[window]") {
+  Session session;
+  session.make_rod();
+  session.steps(4);
+  REQUIRE(session.world().bodies.size() == 7);
+  const std::uint64_t built = state_hash(session.world());
+  const std::string more = PlayedChain::text() + "scene.title = 'saved' ";
+  session.save(more);
+  CHECK(session.world().bodies.size() == 6);
+  session.save(more + "--");  // loses nothing
+  session.frames(20);
+  const std::uint64_t reloaded = state_hash(session.world());
+  session.with_control(SDLK_z);
+  CHECK(session.player->told() == "undo: reload; paused");
+  session.frames(20);
+  CHECK(state_hash(session.world()) == built);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == reloaded);
+  session.with_control(SDLK_z);
+  session.with_control(SDLK_z);
+  CHECK(session.world().bodies.size() == 6);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == built);
+  session.save(more + "-- once more");
+  CHECK(session.world().bodies.size() == 6);
   CHECK(session.player->failure().empty());
 }
 
