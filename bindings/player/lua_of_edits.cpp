@@ -23,15 +23,14 @@ class WriterOfEdits {
   void line(std::string text_of_line) { out_.lines.push_back(std::move(text_of_line)); }
 
   void write_gone() {
-    for (const BodyId id : opened_.bodies.ids())
-      if (!now_.bodies.alive(id) || now_.bodies[id].serial != opened_.bodies[id].serial)
-        line(names_.of_script(id) + ":remove()");
-    for (const ParticleId id : particles(opened_))
-      if (!now_.particles.alive(id) || now_.particles[id].serial != opened_.particles[id].serial)
-        line(names_.of_script("particles", id) + ":remove()");
-    const auto gone = [&](const auto& store, const auto& before, auto id) {
+    const auto gone = [](const auto& store, const auto& before, auto id) {
       return !store.alive(id) || store[id].serial != before[id].serial;
     };
+    for (const BodyId id : opened_.bodies.ids())
+      if (gone(now_.bodies, opened_.bodies, id)) line(names_.of_script(id) + ":remove()");
+    for (const ParticleId id : particles(opened_))
+      if (is_loose(id) && gone(now_.particles, opened_.particles, id))
+        line(names_.of_script("particles", id) + ":remove()");
     for (const ParticleId id : hinges(opened_))
       if (gone(now_.particles, opened_.particles, id) && hinge_is_cut(id))
         line(names_.of_script("hinges", id) + ":cut()");
@@ -43,6 +42,11 @@ class WriterOfEdits {
         write_gone_constraint(opened_.constraints[id], describe(opened_, id));
   }
 
+  /// It does not go with a body.
+  bool is_loose(ParticleId id) const {
+    const Particle& particle = opened_.particles[id];
+    return !particle.is_hinge() && !opened_.points[particle.points[0]].body;
+  }
   bool hinge_is_cut(ParticleId ring) const {
     std::set<ParticleId> now;
     for (const PointId point : opened_.particles[ring].points) {

@@ -296,6 +296,26 @@ TEST_CASE("saved scene: what the script made is found again, moved and removed")
   CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
 }
 
+TEST_CASE("saved scene: hinges and ties that went with what was removed are not cut once more") {
+  Built built(empty + R"(
+    local links = {}
+    for i = 1, 5 do
+      links[i] = scene:box { size = vec(1, 0.1, 0.1), at = vec(i, 3, 0), points = { a = vec(-0.5, 0, 0), b = vec(0.5, 0, 0) } }
+      if i > 1 then scene:hinge(links[i - 1].b, links[i].a) else scene:nail(links[i].a) end
+    end
+  )");
+  for (const std::size_t removed : {std::size_t{2}, std::size_t{0}}) {
+    Command gone;
+    gone.kind = Kind::remove;
+    gone.thing = built.world().bodies.ids()[removed];
+    built.send(gone);
+    const player::SavedScene saved = built.save();
+    INFO(built.added(saved));
+    CHECK(saved.left_out == std::vector<std::string>());
+    CHECK(state_hash(Built::open(saved)->world()) == state_hash(built.world()));
+  }
+}
+
 TEST_CASE("saved scene: one that has run is written as it is, and what was saved is built on and saved again") {
   Built built(empty);
   built.make(MadeForm::ball, vec(0, 3, 0));
