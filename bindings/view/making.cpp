@@ -203,11 +203,14 @@ void keep_corners(const std::vector<Vec3>& stroke, std::size_t from, std::size_t
 }  // namespace
 
 std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y) {
+  return depth_of_plane(viewport, x, y, usual_height(viewport.world).value_or(zero3()));
+}
+
+std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y, Vec3 through) {
   const int normal = viewport.world.plane.normal;
   if (normal < 0) return {};
   const Vec3 near = viewport.place(x, y, 1.0), far = viewport.place(x, y, 2.0);
-  const double height = usual_height(viewport.world).value_or(zero3())[normal];
-  const double depth = 1.0 + (height - near[normal]) / (far[normal] - near[normal]);
+  const double depth = 1.0 + (through[normal] - near[normal]) / (far[normal] - near[normal]);
   return std::isfinite(depth) && depth > 0.0 ? std::optional(depth) : std::nullopt;
 }
 

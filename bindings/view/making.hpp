@@ -39,6 +39,8 @@ Vec3 mirror_of(const Viewport& viewport);
 
 /// [m] Where a pixel's line meets the plane of a world that has one.
 std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y);
+/// The same of a parallel plane through a place.
+std::optional<double> depth_of_plane(const Viewport& viewport, double x, double y, Vec3 through);
 /// [m] What a pixel shows of the scene's plane, else of the plane through the camera's target that faces the eye.
 Vec3 place_pointed_at(const Viewport& viewport, double x, double y);
 

@@ -396,8 +396,10 @@ void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   Command c = command_there(viewport, hinged ? Command::Kind::join : Command::Kind::tie);
   const Held end = pick_held(viewport, x_, y_);
   c.position = within_plane(viewport.world, point_ ? BodyId{} : body_, start(viewport));
-  c.points = {end ? shown_place(viewport.world, end) : viewport.place(x_, y_, depth_)};
-  if (!end.point) c.points[0] = within_plane(viewport.world, end ? end.body : body_, c.points[0]);
+  const double depth = depth_of_plane(viewport, x_, y_, c.position).value_or(depth_);
+  c.points = {end ? shown_place(viewport.world, end)
+                  : viewport.world.plane.beside(viewport.place(x_, y_, depth), c.position)};
+  if (!end.point) c.points[0] = within_plane(viewport.world, end.body, c.points[0]);
   c.other = end.point;
   if (!end.point && end.body) c.other_thing = end.body;
   const bool same = end && (end.point ? end.point == point_ : end.body == body_);

@@ -17,12 +17,14 @@ namespace {
 struct ToolBench : Played {
   static constexpr int width = 640, height = 480;  ///< [px]
 
-  explicit ToolBench(bool flat) : Played(text(flat), paused()) {}
-  static std::string text(bool flat) {
-    return std::string(flat ? "scene.plane = 'xy'" : "") + R"(
+  Vec3 eye;
+
+  explicit ToolBench(bool flat, Vec3 from = vec(0, 2, 10)) : Played(text(flat, from), paused()), eye(from) {}
+  static std::string text(bool flat, Vec3 from) {
+    return std::string(flat ? "scene.plane = 'xy'" : "") + "scene.camera = { at = vec(" + std::to_string(from[0]) +
+           "," + std::to_string(from[1]) + "," + std::to_string(from[2]) + "), look_at = vec(0, 2, 0) }" + R"(
       scene.step = 1 / 60
       scene.gravity = vec(0, -9.81, 0)
-      scene.camera = { at = vec(0, 2, 10), look_at = vec(0, 2, 0) }
       scene:floor {}
       scene:box { at = vec(-2, 0.5, 0), size = 1 }
       scene:box { at = vec(2, 0.5, 0), size = 1 }
@@ -43,7 +45,7 @@ struct ToolBench : Played {
   }
   Projected seen(Vec3 position) const {
     Camera camera;
-    camera.look(vec(0, 2, 10), vec(0, 2, 0));
+    camera.look(eye, vec(0, 2, 0));
     return camera.project(position, width, height).value();
   }
   /// The tool by its key, which pressed again takes the next of its variants.
@@ -196,4 +198,19 @@ TEST_CASE("window: things of different thickness in a plane are tied by hand, at
   }
   CHECK(bench.world().log.empty());
   for (const PointId id : bench.world().points.ids()) CHECK(position(bench.world(), id)[2] == 0.0);
+}
+
+TEST_CASE("window: ties from one point of a body end in the scene's plane, where the pointer is", "[window]") {
+  ToolBench bench(true, vec(3, 4, 9));
+  const Vec3 ends[] = {vec(0, 2, 0), vec(-1, 1.5, 0), vec(1, 3, 0)};
+  for (std::size_t variant = 1; variant <= 3; variant++)
+    for (const Vec3& end : ends) {
+      bench.take(ToolKind::join, variant);
+      bench.stroke({vec(1.5, 4, 0), end}, 0);  // the chain's tip
+      CHECK(bench.world().log.empty());
+      for (const ConstraintId id : bench.world().constraints.ids())
+        if (const Constraint& tie = bench.world().constraints[id];
+            tie.serial + 1 == bench.world().next_serial && tie.kind == ConstraintKind::rod)
+          CHECK(norm(tie.position.now - end) < 0.02);
+    }
 }
