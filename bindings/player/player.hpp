@@ -89,7 +89,7 @@ class Player {
   std::uint64_t keep_for_undo(const std::string& act, const StepInput& before);
   void go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInput&, std::string&));
   void put_in_place(const Scene& old);
-  void go_back_to(const Opened& opened);
+  void go_back_to(const Opened& opened, const Scene& old);
   void note_opened();
   bool loses_by(std::string_view act) const;
   void replace(const std::string& act, const std::string& told);
@@ -130,6 +130,7 @@ class Player {
   void reload();
   std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);
   void adopt(std::shared_ptr<Scene> fresh);
+  bool take_over(const std::string& path, const std::string& act);
   void open_neighbour(int places);
   void open_next();
   void play(const SoundCall& call);

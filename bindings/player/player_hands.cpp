@@ -101,8 +101,7 @@ void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInpu
     acted_ = true;
     changed_at_ = {};  // a change of a parameter is an act of its own
     if (scene_ != old) {
-      go_back_to(opened_.at(scene_));
-      put_in_place(*old);
+      go_back_to(opened_.at(scene_), *old);
       paused_ = true;  // somebody may have been building
       told += "; paused";
     }
@@ -115,11 +114,14 @@ void Player::go_back(bool (Undo::*way)(std::shared_ptr<Scene>&, Times&, StepInpu
 }
 
 /// What was saved since is not reloaded for that.
-void Player::go_back_to(const Opened& opened) {
+void Player::go_back_to(const Opened& opened, const Scene& old) {
+  const bool is_of_other_file = path_ != opened.path;
   path_ = opened.path;
   scene_options_ = opened.options;
   lasting_ = opened.lasting;
   reload_.go_back_to(opened.read);
+  put_in_place(old);
+  if (is_of_other_file) camera_ = own_camera();
 }
 
 /// Of a paused scene nothing waits for play but what a step is needed for.

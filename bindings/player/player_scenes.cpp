@@ -135,7 +135,10 @@ void Player::restart() {
   } catch (const std::exception& error) { fail(error.what()); }
 }
 
-bool Player::open(const std::string& path) {
+bool Player::open(const std::string& path) { return take_over(path, ""); }
+
+/// Where that is an act, and something was done, it can be undone.
+bool Player::take_over(const std::string& path, const std::string& act) {
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<Scene> fresh;
@@ -147,10 +150,13 @@ bool Player::open(const std::string& path) {
   } catch (const std::exception& error) { return complain(error.what()), false; }
   lasting_ = std::move(lasting);
   stop_recording("another scene was opened");
+  if (act.empty())
+    undo_.clear();
+  else if (loses_by(act))
+    replace(act, text(scene_name(path), " goes on"));
   const bool first = path_.empty();
   path_ = path;
   scene_options_ = options;
-  undo_.clear();
   adopt(std::move(fresh));
   if (first && !options_.record.empty()) begin_recording();
   panels_.reset();
@@ -193,7 +199,7 @@ void Player::save_scene() {
 void Player::open_state() {
   if (saved_.empty()) return complain(text("no state was saved yet: ", key_for(KeyUse::save_state), " saves it"));
   const bool paused = paused_;
-  if (open(saved_)) paused_ = paused;
+  if (take_over(saved_, "opening of a state")) paused_ = paused;
 }
 
 /// What the scene asked for; where it cannot be opened, that is told once.

@@ -8,7 +8,7 @@
 #include "measure/query.hpp"
 #include "player/replay.hpp"
 #include "view/camera.hpp"
-#include "window/played.hpp"
+#include "window/played_chain.hpp"
 
 using namespace pantin;
 
@@ -159,6 +159,23 @@ TEST_CASE("window: what was built is saved as a scene by its keys, and opens as 
   REQUIRE(shop.player->open(shop.folder / "scene-0001.lua"));
   CHECK(state_hash(shop.world()) == built);
   CHECK(shop.world().constraints.size() == 1);
+}
+
+TEST_CASE("window: what was built is saved as a scene where a link of a chain was removed, too", "[window]") {
+  player::RunOptions options = Workshop::options("");
+  options.size = {PlayedChain::width, PlayedChain::height};
+  PlayedChain chain(PlayedChain::text(), options);
+  const Projected link = chain.seen(vec(2.5, 4, 0));
+  pushed::tap(SDLK_7);
+  chain.frames(1);
+  chain.click(link.x, link.y);
+  REQUIRE(chain.world().bodies.size() == 5);
+  chain.with_control(SDLK_s, true);
+  chain.frames(2);
+  CHECK_THAT(chain.player->said().back().text, Catch::EndsWith("scene-0001.lua"));
+  const std::uint64_t built = state_hash(chain.world());
+  REQUIRE(chain.player->open(chain.folder / "scene-0001.lua"));
+  CHECK(state_hash(chain.world()) == built);
 }
 
 TEST_CASE("window: a machine is copied, pasted where the pointer is, mirrored and removed, each as one act",

@@ -229,6 +229,33 @@ TEST_CASE("a reload that loses what was built is undone, and the saved file is n
   CHECK(session.player->failure().empty());
 }
 
+TEST_CASE("a state that is opened over what was built is undone, and the scene is that of its own file again",
+          "[window]") {
+  Session session;
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(session.folder.path);
+  session.steps(4);
+  const std::uint64_t saved = state_hash(session.world());
+  session.with_control(SDLK_s);
+  session.with_control(SDLK_o);  // loses nothing
+  session.with_control(SDLK_z);
+  CHECK(session.player->told() == "nothing to undo");
+  session.make_rod();
+  session.steps(4);
+  const std::uint64_t built = state_hash(session.world());
+  session.with_control(SDLK_o);
+  CHECK(state_hash(session.world()) == saved);
+  session.with_control(SDLK_z);
+  CHECK(session.player->told() == "undo: opening of a state; paused");
+  CHECK(state_hash(session.world()) == built);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == saved);
+  session.with_control(SDLK_z);
+  CHECK(state_hash(session.world()) == built);
+  std::filesystem::current_path(here);
+  CHECK(session.player->failure().empty());
+}
+
 TEST_CASE("what was done before a parameter rebuilt the scene comes back with the parameter's value", "[window]") {
   Session session("scene:param('n', 1, { min = 1, max = 3, step = 1 })");
   session.cut();
