@@ -139,7 +139,7 @@ void Player::fit_window() { renderer_.resize(window_.width(), window_.height(), 
 
 bool Player::at_end() const {
   const World& world = scene_->world();
-  return scene_->finished() || (options_.until && world.time >= *options_.until - 0.5 * world.settings.step);
+  return scene_->finished() || (options_.until && earlier_ + world.time >= *options_.until - 0.5 * world.settings.step);
 }
 
 void Player::take_steps(double elapsed) {

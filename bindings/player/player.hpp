@@ -193,6 +193,7 @@ class Player {
   Pacing pacing_;
   Status status_;
   Times times_;
+  double earlier_ = 0.0;  ///< [s] of the scenes that were played before this one
   Clock::time_point last_ = Clock::now();
   Panels panels_;
   Browser browser_;

@@ -150,10 +150,12 @@ bool Player::take_over(const std::string& path, const std::string& act) {
   } catch (const std::exception& error) { return complain(error.what()), false; }
   lasting_ = std::move(lasting);
   stop_recording("another scene was opened");
-  if (act.empty())
+  if (act.empty()) {
     undo_.clear();
-  else if (loses_by(act))
+    earlier_ += scene_->world().time;
+  } else if (loses_by(act)) {
     replace(act, text(scene_name(path), " goes on"));
+  }
   const bool first = path_.empty();
   path_ = path;
   scene_options_ = options;

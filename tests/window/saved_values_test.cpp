@@ -54,6 +54,25 @@ TEST_CASE("saved_values: a score lasts over a restart, another scene and another
   CHECK(played.result("plays") == 3.0);
 }
 
+TEST_CASE("saved_values: a play ends at its time, which is that of all scenes that open each other", "[window]") {
+  const DataFolder data;
+  player::RunOptions options;
+  options.size = {640, 360};
+  options.until = 0.7;
+  Played played(R"(
+    local n = (scene.saved.n or 0) + 1
+    scene.saved.n = n
+    scene:result("n", n)
+    scene:particle()
+    scene:after(0.2, function() scene:open("scene.lua") end))",
+                options);
+  int frames = 0;
+  while (played.player->frame() && frames < 2000) frames++;
+  CHECK(frames < 2000);
+  CHECK(played.result("n") == 4.0);
+  CHECK(played.world().time == Approx(0.1).margin(0.02));
+}
+
 TEST_CASE("saved_values: a scene opens the next, and one that is not there is told once", "[window]") {
   const DataFolder data;
   Played played(R"(scene:particle() scene:at(0.5, function() scene:open("level2.lua") end))");
