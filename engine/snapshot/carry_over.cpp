@@ -1,10 +1,12 @@
 #include "snapshot/carry_over.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "base/hash.hpp"
 #include "choreography/hands.hpp"
 #include "choreography/resume.hpp"
 #include "constraints/coupling.hpp"
@@ -23,23 +25,43 @@ template <class Row, class Sort>
 void add(Made& list, const Store<Row>& rows, Sort sort) {
   for (const Handle<Row> id : rows.ids())
     if (const std::size_t kind = sort(rows[id]); kind != no_sort)
-      list.things.push_back({id, AnyId(id).index() * sorts + kind, rows[id].name, {}, {}});
+      list.things.push_back({id, AnyId(id).index() * sorts + kind, rows[id].name, 0, {}, {}});
 }
 
 using Match = std::pair<const MadeThing*, const MadeThing*>;  // the old, the new
 
+using ThingsInOrder = std::vector<const MadeThing*>;
+using OldOfNew = std::map<const MadeThing*, const MadeThing*>;
+
+/// In order; what finds none stays in the lists.
+void match_alike(ThingsInOrder& before, ThingsInOrder& now, OldOfNew& found) {
+  std::map<std::uint64_t, std::deque<const MadeThing*>> alike;
+  for (const MadeThing* thing : before) alike[thing->looks].push_back(thing);
+  std::set<const MadeThing*> taken;
+  std::erase_if(now, [&](const MadeThing* thing) {
+    auto& list = alike[thing->looks];
+    if (list.empty()) return false;
+    taken.insert(found[thing] = list.front());
+    list.pop_front();
+    return true;
+  });
+  std::erase_if(before, [&](const MadeThing* thing) { return taken.contains(thing); });
+}
+
+/// Of one sort and name by their order; where some came or went, first those that look alike.
 std::vector<Match> matches(const Made& before, const Made& now) {
-  using Key = std::tuple<std::size_t, std::string, std::size_t>;
-  std::map<Key, const MadeThing*> known;
-  std::map<std::pair<std::size_t, std::string>, std::size_t> count;
-  for (const MadeThing& thing : before.things)
-    known[{thing.sort, thing.name, count[{thing.sort, thing.name}]++}] = &thing;
-  count.clear();
-  std::vector<Match> list;
-  for (const MadeThing& thing : now.things) {
-    const auto found = known.find({thing.sort, thing.name, count[{thing.sort, thing.name}]++});
-    if (found != known.end()) list.emplace_back(found->second, &thing);
+  std::map<std::pair<std::size_t, std::string>, std::pair<ThingsInOrder, ThingsInOrder>> named;
+  for (const MadeThing& thing : before.things) named[{thing.sort, thing.name}].first.push_back(&thing);
+  for (const MadeThing& thing : now.things) named[{thing.sort, thing.name}].second.push_back(&thing);
+  OldOfNew found;
+  for (auto& [key, things] : named) {
+    auto& [old, fresh] = things;
+    if (old.size() != fresh.size()) match_alike(old, fresh, found);
+    for (std::size_t i = 0; i < std::min(old.size(), fresh.size()); i++) found[fresh[i]] = old[i];
   }
+  std::vector<Match> list;
+  for (const MadeThing& thing : now.things)
+    if (const auto old = found.find(&thing); old != found.end()) list.emplace_back(old->second, &thing);
   return list;
 }
 
@@ -252,6 +274,18 @@ void carry_touching(const World& old, World& fresh, const Counterparts& to) {
   fresh.contacts.watched = !touching.empty();
 }
 
+std::uint64_t looks_of(const World& world, const Body& body) {
+  Hash hash;
+  for (const ShapeId id : body.shapes) {
+    const Geometry& geometry = world.shapes[id].geometry;
+    const Bounds bounds = bounds_of(geometry, Pose{});
+    hash.add(std::uint64_t{geometry.index()});
+    hash.add(bounds.low);
+    hash.add(bounds.high);
+  }
+  return hash.value;
+}
+
 }  // namespace
 
 Made made(const World& world) {
@@ -272,7 +306,10 @@ Made made(const World& world) {
   add(list, world.shapes, [](const Shape& shape) { return shape.body ? no_sort : std::size_t{0}; });
   add(list, world.groups, any);
   for (MadeThing& thing : list.things) {
-    if (const auto* body = std::get_if<BodyId>(&thing.id)) thing.points = world.bodies[*body].points;
+    if (const auto* body = std::get_if<BodyId>(&thing.id)) {
+      thing.points = world.bodies[*body].points;
+      thing.looks = looks_of(world, world.bodies[*body]);
+    }
     if (const auto* particle = std::get_if<ParticleId>(&thing.id); particle && !world.particles[*particle].is_hinge())
       thing.points = world.particles[*particle].points;
     for (PointId point : thing.points) thing.point_names.push_back(world.points[point].name);

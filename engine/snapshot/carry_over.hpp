@@ -16,6 +16,7 @@ struct MadeThing {
   AnyId id;
   std::size_t sort = 0;  ///< things of one sort are matched: free particles, hinges, rods …
   std::string name;
+  std::uint64_t looks = 0;               ///< of a body's shapes, their kinds and sizes
   std::vector<PointId> points;           ///< of a body or a free particle, in their order
   std::vector<std::string> point_names;  ///< of these
 };
@@ -44,9 +45,10 @@ struct CarriedOver {
 };
 
 /// Makes a world that has not moved yet go on where an older one is. Things are matched by name, else by sort and order of
-/// making: they take over position, motion and age; what of them was removed or cut is removed or cut. Time goes on: events
-/// that are past count as fired, plays begin now. Hands that no script moves come along and hold what they held. All else,
-/// masses, shapes, laws, settings, is the new world's own; what constraints want elsewhere is drawn there in their time constants.
+/// making, where bodies came or went first those whose shapes are alike: they take over position, motion and age; what of
+/// them was removed or cut is removed or cut. Time goes on: events that are past count as fired, plays begin now. Hands that
+/// no script moves come along and hold what they held. All else, masses, shapes, laws, settings, is the new world's own;
+/// what constraints want elsewhere is drawn there in their time constants.
 CarriedOver carry_over(const World& old, const Made& before, World& fresh, const Made& now);
 
 }  // namespace pantin

@@ -271,6 +271,26 @@ TEST_CASE("reload: what was cut or removed stays so; what is new appears, what t
   CHECK(count() == 3);
 }
 
+TEST_CASE("reload: where some came, those without names go on that look alike, and the rest in their order") {
+  const auto text = [](int boxes, double size) {
+    return "for i = 1, " + std::to_string(boxes) + " do scene:box { size = " + std::to_string(size) +
+           ", at = vec(3 * i, 5, 0), velocity = vec(0, 0, i) } end\nscene:ball { radius = 0.3, at = vec(0, 5, 0) }";
+  };
+  Played played(text(3, 1.0));
+  played.steps(60);
+  const auto place = [&](std::size_t i) {
+    return played.scene->world().motion_of(played.scene->world().bodies.ids()[i]).x;
+  };
+  const Vec3 third = place(2), ball = place(3);
+  played.save_and_look(text(5, 1.0));
+  CHECK(norm(place(2) - third) < 1e-12);
+  CHECK(norm(place(3) - vec(12, 5, 0)) < 1e-12);
+  CHECK(norm(place(5) - ball) < 1e-12);
+  played.save_and_look(text(4, 1.5));
+  CHECK(norm(place(2) - third) < 1e-12);
+  CHECK(norm(place(4) - ball) < 1e-12);
+}
+
 TEST_CASE("reload: an error names its line, and the old scene goes on until the file is right again") {
   Played played(chain);
   played.steps(10);
