@@ -13,6 +13,7 @@
 #include "contacts/touching.hpp"
 #include "edit/common.hpp"
 #include "edit/edit.hpp"
+#include "shapes/shape.hpp"
 
 namespace pantin {
 

@@ -147,6 +147,21 @@ TEST_CASE("a recording goes on where a file is saved while two fingers drag", "[
   recorded.check();
 }
 
+TEST_CASE("a recording in which a reload is undone is played again to the bit", "[window]") {
+  Recorded recorded;
+  recorded.use(SDLK_8, vec(4, 0, 0), vec(5, 0, 0));
+  recorded.frames(10);
+  const std::size_t built = recorded.world().bodies.size();
+  recorded.save(chain + "scene.title = 'saved'");
+  recorded.frames(10);
+  CHECK(recorded.world().bodies.size() < built);
+  recorded.with_control(SDLK_z);
+  CHECK(recorded.world().bodies.size() == built);
+  recorded.tap(SDLK_SPACE);
+  recorded.play_on(1.1);  // over a second's hash
+  recorded.check();
+}
+
 TEST_CASE("a saved file with an error leaves the recording as it is", "[window]") {
   Recorded recorded;
   recorded.frames(20);
