@@ -10,7 +10,8 @@ std::vector<Property> of_any_constraint() {
       of_parts({"force", "torque", "length"},
                property<ConstraintId>(
                    "breaks_at", "Breaking", "",
-                   "load or length at which it breaks, within a step where it passes that; a weld's "
+                   "load or length at which it breaks, within a step where it passes that; of a blow or a "
+                   "push that is far too much it bears nothing; a weld's "
                    "torque is about the middle "
                    "between the two centres of mass (default `{}`)",
                    [](const World& w, ConstraintId c) { return w.constraints[c].breaks_at; },

@@ -100,6 +100,13 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   return ring;
 }
 
+/// A hinge that it takes the place of hands on what was not given anew; the first that has it.
+void keep_of_old(const Particle& old, Particle& ring) {
+  if (!old.is_hinge()) return;
+  if (ring.name.empty()) ring.name = old.name;
+  if (!ring.breaks_at.possible()) ring.breaks_at = old.breaks_at;
+}
+
 /// The largest coordinate of a point [m].
 double farthest_coordinate(const World& world) {
   double most = 0.0;
@@ -137,7 +144,10 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
 
   Particle ring = shared_data(world, points[0], def);
   disturb_sites(world);
-  for (const Member& m : members) ring.points.push_back(m.point);
+  for (const Member& m : members) {
+    ring.points.push_back(m.point);
+    keep_of_old(world.particles[world.points[m.point].particle], ring);
+  }
   ring.serial = world.next_serial++;
   const ParticleId hinge = world.particles.add(std::move(ring));
   if (std::isfinite(def.lifetime)) set_lifetime(world, hinge, def.lifetime);

@@ -25,25 +25,10 @@ void require_breaking(const std::string& who, const Breaking& b) {
   require_positive_or_infinite(who, "breaks_at.length", b.length, "m");
 }
 
-/// What bore too much.
-template <class Id>
-struct Overload {
-  Id id;
-  double load;        ///< [N] or [N m]
-  std::string story;  ///< what broke it
-  double since;       ///< [s] when it broke, before the end of the step
-  friend bool operator==(const Overload& o, Id other) { return o.id == other; }
-};
-
 template <class Id>
 void note(std::vector<Overload<Id>>& list, const Overload<Id>& load, bool too_much) {
   if (too_much && std::find(list.begin(), list.end(), load.id) == list.end()) list.push_back(load);
 }
-
-struct Overloads {
-  std::vector<Overload<ConstraintId>> constraints;
-  std::vector<Overload<ParticleId>> hinges;
-};
 
 /// How long before the end of the step [s] a load that grew evenly, from the middle of the last step to that of this one,
 /// passed what is borne; 0 where it is not known, or leapt.
@@ -66,8 +51,8 @@ void find_overloads_of_stars(const World& world, const Articulate& a, Overloads&
   }
   for (const auto& [slot, of] : loads) {
     const double load = norm(of.second);
-    const bool too_much = load > world.particles[of.first].breaks_at.force;
-    note(found.hinges, {of.first, load, text("its load of ", load, " N"), 0.0}, too_much);
+    const double borne = world.particles[of.first].breaks_at.force;
+    note(found.hinges, {of.first, load, load / borne, text("its load of ", load, " N"), 0.0}, load > borne);
   }
 }
 
@@ -86,7 +71,7 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;
       const double borne = world.particles[ring].breaks_at.force;
-      note(found.hinges, {ring, load, story(), since(borne)}, load > borne);
+      note(found.hinges, {ring, load, load / borne, story(), since(borne)}, load > borne);
       continue;
     }
     const ConstraintId id = condition(a, row).constraint;
@@ -94,16 +79,26 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     if (!tells_force(world, condition(a, row), row, c)) continue;
     if (c.ring()) {
       const double borne = world.particles[c.ring()].breaks_at.torque;
-      note(found.hinges, {c.ring(), load, story(), since(borne)}, load > borne);
+      note(found.hinges, {c.ring(), load, load / borne, story(), since(borne)}, load > borne);
       continue;
     }
     const double length = angular ? 0.0 : norm(row.d1);
     const double borne = angular ? c.breaks_at.torque : c.breaks_at.force;
     if (length > c.breaks_at.length)
-      note(found.constraints, {id, load, text("its length of ", length, " m"), 0.0}, true);
+      note(found.constraints, {id, load, 1.0, text("its length of ", length, " m"), 0.0}, true);
     else
-      note(found.constraints, {id, load, story(), since(borne)}, load > borne);
+      note(found.constraints, {id, load, load / borne, story(), since(borne)}, load > borne);
   }
+}
+
+Overloads find_overloads(const World& world) {
+  Overloads found;
+  for (const auto& articulate : world.articulates) {
+    if (!articulate->breakable) continue;
+    find_overloads(world, *articulate, found);
+    find_overloads_of_stars(world, *articulate, found);
+  }
+  return found;
 }
 
 /// When what a row is of broke [s] before the end of the step; 0: it did not, or that is not known.
@@ -204,24 +199,39 @@ void set_enabled(World& world, ParticleId id, bool enabled) {
   mark_edited(world, id);
 }
 
+Overloads overloads_at_once(const World& world) {
+  constexpr double leaps = 1.5;    // of what it can bear: it bore no more than all of it in the last step
+  constexpr double as_much = 0.5;  // of the most
+  Overloads found = find_overloads(world);
+  double most = leaps;
+  const auto each = [&](auto&& use) {
+    use(found.constraints);
+    use(found.hinges);
+  };
+  each([&](const auto& list) {
+    for (const auto& one : list) most = std::max(most, as_much * one.part);
+  });
+  each([&](auto& list) { std::erase_if(list, [&](const auto& one) { return one.part < most; }); });
+  return found;
+}
+
+void break_overloaded(World& world, const Overloads& overloads) {
+  for (const auto& overload : overloads.constraints) break_constraint(world, overload);
+  for (const auto& overload : overloads.hinges) break_hinge(world, overload);
+}
+
 BrokenThings break_constraints(World& world) {
-  Overloads found;
+  const Overloads found = find_overloads(world);
   for (const auto& articulate : world.articulates) {
     if (!articulate->breakable) continue;
-    find_overloads(world, *articulate, found);
-    find_overloads_of_stars(world, *articulate, found);
-  }
-  for (const auto& articulate : world.articulates) {
-    if (!articulate->breakable) continue;
-    if (!found.constraints.empty() || !found.hinges.empty()) take_back(world, *articulate, found);
+    if (!found.empty()) take_back(world, *articulate, found);
     note_loads(*articulate);
   }
   BrokenThings broken;
   for (const auto& overload : found.constraints)
     broken.emplace_back(overload.id, world.constraints[overload.id].serial);
   for (const auto& overload : found.hinges) broken.emplace_back(overload.id, world.particles[overload.id].serial);
-  for (const auto& overload : found.constraints) break_constraint(world, overload);
-  for (const auto& overload : found.hinges) break_hinge(world, overload);
+  break_overloaded(world, found);
   return broken;
 }
 

@@ -78,6 +78,27 @@ void set_breaks_at(World& world, ParticleId hinge, const Breaking& breaks_at);
 /// Whether the points of a hinge stay together. They must be together when they are to stay so again.
 void set_enabled(World& world, ParticleId hinge, bool enabled);
 
+/// What bore too much.
+template <class Id>
+struct Overload {
+  Id id;
+  double load;        ///< [N] or [N m]
+  double part;        ///< of what it can bear
+  std::string story;  ///< what broke it
+  double since;       ///< [s] when it broke, before the end of the step
+  friend bool operator==(const Overload& o, Id other) { return o.id == other; }
+};
+struct Overloads {
+  std::vector<Overload<ConstraintId>> constraints;
+  std::vector<Overload<ParticleId>> hinges;
+  bool empty() const { return constraints.empty() && hinges.empty(); }
+};
+
+/// Of those whose load leapt beyond what they bear in the step just done, those that bore most of that.
+Overloads overloads_at_once(const World& world);
+/// Ends them; told as "broke".
+void break_overloaded(World& world, const Overloads& overloads);
+
 /// What broke, with the serials that tell what was made first.
 using BrokenThings = std::vector<std::pair<AnyId, std::uint64_t>>;
 /// Ends constraints and hinges that bore more in the step just done than they can; told as "broke".

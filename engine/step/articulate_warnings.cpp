@@ -78,9 +78,11 @@ void tell_too_stiff(World& world, const Articulate& a) {
 }
 
 /// Names, once, what bears a hundred times all that acts, where nothing is solved: it has no way to go that would bear less.
-void tell_held_by_itself(World& world, const Articulate& a) {
+void tell_held_by_itself(World& world, Articulate& a) {
   constexpr double beyond_all = 100.0;
-  if (!is_stuck(world, a) || a.touches) return;
+  constexpr std::uint32_t some = 60;
+  a.stuck_steps = is_stuck(world, a) && !a.touches ? a.stuck_steps + 1 : 0;
+  if (a.stuck_steps != some) return;
   double acts = 0.0, most = 0.0;  // [N]
   for (const Node& n : a.nodes) acts += norm(n.force);
   const Row* worst = nullptr;

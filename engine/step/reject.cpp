@@ -7,6 +7,7 @@
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "forces/kick_error.hpp"
+#include "step/break_at_once.hpp"
 #include "step/touch.hpp"
 
 namespace pantin {
@@ -58,20 +59,22 @@ void keep_tied(World& world) {
   }
 }
 
+bool divides(const World& world) { return world.settings.accuracy && rule_of(world).divides && world.forces; }
+
+bool may_be_rejected(const World& world) { return divides(world) && world.sub_steps.count < sub_step_limit; }
+
 }  // namespace
 
 void keep_start(World& world) {
   world.kick_error = 0.0;
   keep_tied(world);
   if (!world.settings.accuracy && world.settings.accuracy_per_step) tell_unused(world);
-  if (!world.settings.accuracy || !rule_of(world).divides || !world.forces) {
-    if (world.start) world.start->kept = false;
-    return;
-  }
+  const bool kept = may_be_rejected(world) || may_break_at_once(world);
+  if (!kept && !world.start) return;
   if (!world.start) world.start = std::make_unique<StepStart>();
   StepStart& s = *world.start;
-  s.kept = world.sub_steps.count < sub_step_limit;
-  if (!s.kept) return;
+  s.kept = kept;
+  if (!kept) return;
   s.articulates.resize(world.articulates.size());
   for (std::size_t i = 0; i < s.articulates.size(); i++) keep(*world.articulates[i], s.articulates[i]);
   s.ledger = world.ledger;
@@ -105,14 +108,14 @@ double average_error(World& world) {
   return world.mean_error + std::sqrt(n.jumps);
 }
 
-void begin_again(World& world) {
+}  // namespace
+
+void put_start_back(World& world) {
   StepStart& s = *world.start;
   put_back(world);
   for (std::size_t i = 0; i < s.articulates.size(); i++) put_back(s.articulates[i], *world.articulates[i]);
-  const std::uint64_t rejected = world.stats.rejected + 1;
   world.ledger = s.ledger;
   world.stats = s.stats;
-  world.stats.rejected = rejected;
   world.contacts = s.contacts;
   world.contacts.stale = true;
   world.loose_bodies = s.loose_bodies;
@@ -126,23 +129,22 @@ void begin_again(World& world) {
   world.kick_error = 0.0;
   forget_rejected(world);
   begin_stage(world, 0);
-  find_forces_again(world);
+  if (world.forces) find_forces_again(world);
 }
 
-}  // namespace
-
 bool misses_accuracy(const World& world) {
-  return world.start && world.start->kept && world.sub_steps.count < sub_step_limit &&
-         error_rate(world) > wanted_accuracy(world);
+  return world.start && world.start->kept && may_be_rejected(world) && error_rate(world) > wanted_accuracy(world);
 }
 
 bool is_to_be_done_again(World& world) {
-  if (!world.settings.accuracy || !world.start || !rule_of(world).divides || !world.forces) return false;
+  if (!world.start || !divides(world)) return false;
   const double rate = error_rate(world), wanted = wanted_accuracy(world);
   const bool again = misses_accuracy(world);
   const bool reached = adapt(world.sub_steps, rate, wanted);
   if (again) {
-    begin_again(world);
+    const std::uint64_t rejected = world.stats.rejected + 1;
+    put_start_back(world);
+    world.stats.rejected = rejected;
     return true;
   }
   if (!world.trouble.empty()) return false;

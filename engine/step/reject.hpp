@@ -1,5 +1,6 @@
 #pragma once
-// A step whose error is above `scene.accuracy` is rejected: done again with more sub-steps, from the state kept at its start.
+// A step whose error is above `scene.accuracy` is rejected: done again with more sub-steps, from the state kept at its start. So
+// is one in which something broke at once, without what broke.
 #include "articulates/articulate.hpp"
 #include "world/world.hpp"
 
@@ -13,7 +14,7 @@ struct ArticulateStart {
 
 /// What a step changes, beside loose things, which World keeps in any case.
 struct StepStart {
-  bool kept = false;
+  bool kept = false;  ///< the step may have to be done again
   std::vector<ArticulateStart> articulates;
   Ledger ledger;
   Stats stats;
@@ -26,6 +27,8 @@ struct StepStart {
 
 /// Keeps what a step changes before its end, where it may have to be done again; momenta in any case.
 void keep_start(World& world);
+/// All is as it was at the start of the step, with the work of what was given up told nowhere. Only where that was kept.
+void put_start_back(World& world);
 /// After a stage of a step: notes its error.
 void note_error(World& world);
 /// Whether the error is above what is wanted, and more sub-steps may be had.

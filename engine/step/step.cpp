@@ -4,6 +4,7 @@
 #include "choreography/choreography.hpp"
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
+#include "step/break_at_once.hpp"
 #include "step/phases.hpp"
 #include "step/reject.hpp"
 #include "step/touch.hpp"
@@ -48,6 +49,8 @@ void step(World& world) {
     const bool touching = may_touch(world);
     if (touching) divide_for_contacts(world);
     keep_start(world);
+    constexpr int most_breaks = 16;  // at once, one after the other; what is left breaks at the end
+    int breaks = 0;
     do {
       const std::uint32_t count = all_asleep(world) ? 0 : stage_count(world);
       for (std::uint32_t stage = 0; stage < count && !misses_accuracy(world); stage++) {
@@ -62,7 +65,8 @@ void step(World& world) {
         phases::project_velocities(world);
         if (touching) phases::meet_contacts(world);
       }
-    } while (is_to_be_done_again(world));
+    } while ((!misses_accuracy(world) && breaks < most_breaks && breaks_at_once(world) && ++breaks) ||
+             is_to_be_done_again(world));
     phases::break_connections(world);
   }
   phases::end_step(world);

@@ -201,7 +201,7 @@ function AnyThing:remove() end
 
 ---What every constraint has.
 ---@class AnyConstraint: AnyThing
----@field breaks_at Breaking load or length at which it breaks, within a step where it passes that; a weld's torque is about the middle between the two centres of mass (default `{}`)
+---@field breaks_at Breaking load or length at which it breaks, within a step where it passes that; of a blow or a push that is far too much it bears nothing; a weld's torque is about the middle between the two centres of mass (default `{}`)
 ---@field enabled boolean whether it acts (default `true`)
 local AnyConstraint = {}
 
@@ -307,7 +307,7 @@ local Point = {}
 ---```
 ---@param force vec [N]
 function Point:push(force) end
----Changes the velocity at once.
+---Changes the velocity at once. What ties take of that is in no force of theirs, and breaks none: a push does.
 ---```lua
 ---arm.head:kick(vec(0, 0.5, 0))
 ---```
@@ -340,7 +340,7 @@ local Particle = {}
 ---```
 ---@param force vec [N]
 function Particle:push(force) end
----Changes the velocity at once.
+---Changes the velocity at once. What ties take of that is in no force of theirs, and breaks none: a push does.
 ---```lua
 ---p:kick(vec(0, 0.5, 0))
 ---```
@@ -390,7 +390,7 @@ local Body = {}
 ---@param force vec [N]
 ---@param at? vec [m]
 function Body:push(force, at) end
----Changes the velocity at once, at its centre of mass or at a position of the world.
+---Changes the velocity at once, at its centre of mass or at a position of the world. What ties take of that is in no force of theirs, and breaks none: a push does.
 ---```lua
 ---block:kick(vec(0, 2, 0))
 ---```
@@ -495,7 +495,7 @@ local OnPlane = {}
 ---Is at most so long along its points; slides through the inner ones.
 ---@class String: AnyConstraint
 ---@field points (Point|vec)[] [m] what it goes through: points, or positions (read only)
----@field length number [m] the most that it is long; written as a number or a function of time [s]. One that a script makes longer in each step is slack in between, and jerks: a function does not
+---@field length number [m] the most that it is long; written as a number or a function of time [s]. One that is written longer becomes so evenly in the step after
 ---@field taken number [m] how long its way is now: less than its length where it is slack (read only)
 ---@field force number [N] tension in the last step, 0 where it is slack (read only)
 local String = {}
@@ -836,7 +836,7 @@ function Shape:move(by) end
 ---@return Shape
 function Shape:rotate(turn) end
 
----Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "screen") x and y are in px from the upper left corner, negative ones from the right or lower edge.
+---Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "screen") x and y are in px from the upper left corner, negative ones from the right or lower edge. The window's title and bar are over the upper 45 px, its tools and status line over the lower 120 px, and scene:button begins at the left below the title.
 ---@class Draw
 local Draw = {}
 ---A line.
@@ -1103,7 +1103,7 @@ function Scene:ground(options) end
 ---@param b string
 ---@param how boolean|PairOptions
 function Scene:collide(a, b, how) end
----Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass through each other, unless it says collide = true; each touches everything else: the world, and bodies further along a chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false).
+---Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass through each other, unless it says collide = true; each touches everything else: the world, and bodies further along a chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false). Where a point is in a hinge already, the new hinge takes that one's place, with all that it joins: it keeps the name and breaks_at that it is not given anew.
 ---```lua
 ---local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, 0, 0) } }
 ---scene:hinge(leg.tail, foot.heel, { name = "ankle", breaks_at = { force = 1000 } })
@@ -1574,7 +1574,7 @@ function OpenedScene:restore(snapshot) end
 ---@class EmitterOptions: NameOptions, LookOptions
 ---@field rate number|fun(t: number): number [1/s] particles per second
 ---@field at? vec|vec[]|Point|Particle [m] a position, a box { vec, vec }, or what carries it (default `vec(0, 0, 0)`)
----@field velocity? vec [m/s] relative to what carries it (default `vec(0, 0, 0)`)
+---@field velocity? vec [m/s] relative to what carries it, along the axes of the world (default `vec(0, 0, 0)`)
 ---@field spread? number [rad] half angle of the cone of velocities (default `0`)
 ---@field lifetime? number|{ min: number, max: number } [s] of its particles, or between which it is random (default `math.huge`)
 ---@field max? integer particles of it that may live at once (default `math.huge`)

@@ -1,3 +1,4 @@
+#include "edit/constrain.hpp"
 #include "edit/edit.hpp"
 
 #include <catch2/catch.hpp>
@@ -60,6 +61,23 @@ TEST_CASE("hinges that share a new hinge unite in it") {
   CHECK_THROWS_WITH(world.particles[second], Contains("by joining into hinge 'hub'"));
   CHECK_THROWS_WITH(join(world, {left_of(world, b[0]), left_of(world, b[3])}),
                     "hinge: these points are joined already, in hinge 'hub'");
+}
+
+TEST_CASE("a hinge that takes the place of another keeps its name and what it bears, unless it is told others") {
+  World world;
+  std::vector<BodyId> b;
+  for (int i = 0; i < 4; i++) b.push_back(add_body(world, rod_at(zero3())));
+  HingeDef def;
+  def.name = "neck";
+  const ParticleId first = join(world, {left_of(world, b[0]), left_of(world, b[1])}, def);
+  set_breaks_at(world, first, Breaking{.force = 100.0});
+  const ParticleId second = join(world, {left_of(world, b[0]), left_of(world, b[2])});
+  CHECK(world.particles[second].name == "neck");
+  CHECK(world.particles[second].breaks_at.force == 100.0);
+  def.name = "spine";
+  const ParticleId third = join(world, {left_of(world, b[0]), left_of(world, b[3])}, def);
+  CHECK(world.particles[third].name == "spine");
+  CHECK(world.particles[third].breaks_at.force == 100.0);
 }
 
 TEST_CASE("a hinge joins different bodies at one position") {

@@ -252,6 +252,65 @@ test("ties tell what they bear of contacts, and break by it", function()
   expect(hung(200):find("plate").position.y):below(-0.5)
 end)
 
+test("of a blow or a push that is far too much a tie bears nothing, and each step length says so", function()
+  local ties = {
+    nail = "scene:nail(sign.c, bears)",
+    rod = "scene:rod(sign.c, vec(1, 0, 0), bears)",
+    weld = "scene:weld(sign, scene:box { size = 0.3, mass = 1e6, at = vec(0, 5, 0) }, bears)",
+    hinge = "local wall = scene:box { size = 0.3, mass = 1e6, at = vec(0, 5, 0), points = { c = vec(0, -5, 0) } }"
+      .. " scene:hinge(sign.c, wall.c, bears)",
+    none = "",
+  }
+  for _, rate in ipairs { 60, 240, 777 } do
+    local function struck(tie, bears)
+      local scene = open_text(([[
+        scene.plane, scene.gravity, scene.step = "xy", vec(0, 0, 0), 1 / %d
+        local bears = { breaks_at = { force = %g } }
+        local sign = scene:box { size = 0.3, at = vec(0, 0, 0), name = "sign", points = { c = vec(0, 0, 0) } }
+        scene:ball { radius = 0.3, at = vec(-2, 0, 0), velocity = vec(5, 0, 0), density = 1000, name = "ball" }
+        scene:on("broke", function() scene:result("broke", scene.time) end)
+      ]]):format(rate, bears) .. tie)
+      scene:advance(1)
+      return scene
+    end
+    local free = struck(ties.none, 100)
+    for name, tie in pairs(ties) do
+      local scene = struck(tie, 100)
+      expect(scene:find("sign").velocity):near(free:find("sign").velocity, 1e-9)
+      expect(scene:find("ball").velocity):near(free:find("ball").velocity, 1e-9)
+      if name ~= "none" then expect(scene:result("broke")):near(0.31, 0.02) end
+    end
+    expect(struck(ties.nail, 1e9):find("ball").velocity:length()):below(1e-9)
+    local pushed = open_text(([[
+      scene.gravity, scene.step = vec(0, 0, 0), 1 / %d
+      local a, b = scene:box { size = 1, mass = 1, name = "a" }, scene:box { size = 1, mass = 1, at = vec(1.5, 0, 0), name = "b" }
+      scene:weld(a, b, { breaks_at = { force = 10 } })
+      scene:at(0.1, function() a:push(vec(-2 / scene.step, 0, 0)) end)
+    ]]):format(rate))
+    pushed:advance(0.2)
+    expect(pushed:find("a").velocity):near(vec(-2, 0, 0), 1e-12)
+    expect(pushed:find("b").velocity):near(vec(0, 0, 0), 1e-12)
+  end
+end)
+
+test("a chain of brittle hinges breaks where it is struck, and the rest of it knows nothing of that", function()
+  local scene = open_text [[
+    scene.plane, scene.gravity = "xy", vec(0, 0, 0)
+    local previous
+    for i = 1, 21 do
+      local bar = scene:box { size = vec(0.9, 0.2, 0.2), at = vec(i - 11, 0, 0), name = "bar" .. i, density = 1000,
+                              points = { l = vec(-0.5, 0, 0), r = vec(0.5, 0, 0) } }
+      if previous then scene:hinge(previous.r, bar.l, { breaks_at = { force = 100 } }) end
+      previous = bar
+    end
+    scene:ball { radius = 0.3, at = vec(0, 2, 0), velocity = vec(0, -20, 0), density = 5000 }
+  ]]
+  scene:advance(0.2)
+  expect(scene:find("bar11").velocity.y):below(-10)
+  for _, i in ipairs { 1, 5, 9, 13, 17, 21 } do expect(scene:find("bar" .. i).velocity:length()):below(1e-9) end
+  expect(scene.error.worst_energy):below(1e-9)
+end)
+
 test("a stack of five stands, of any size from 10 um to 1 km", function()
   for _, size in ipairs { 1e-5, 1e-4, 1e-2, 1, 1e3 } do
     local scene = open_text(("scene.step = 1 / 60\nscene:floor {}\nfor i = 1, 5 do scene:box { size = %g, at = vec(0, %g * (i - 0.5), 0) } end"):format(size, size))

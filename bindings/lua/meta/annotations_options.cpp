@@ -43,7 +43,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@class EmitterOptions: NameOptions, LookOptions
 ---@field rate number|fun(t: number): number [1/s] particles per second
 ---@field at? vec|vec[]|Point|Particle [m] a position, a box { vec, vec }, or what carries it (default `vec(0, 0, 0)`)
----@field velocity? vec [m/s] relative to what carries it (default `vec(0, 0, 0)`)
+---@field velocity? vec [m/s] relative to what carries it, along the axes of the world (default `vec(0, 0, 0)`)
 ---@field spread? number [rad] half angle of the cone of velocities (default `0`)
 ---@field lifetime? number|{ min: number, max: number } [s] of its particles, or between which it is random (default `math.huge`)
 ---@field max? integer particles of it that may live at once (default `math.huge`)

@@ -192,7 +192,10 @@ std::vector<Method> constraining() {
        "Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass "
        "through "
        "each other, unless it says collide = true; each touches everything else: the world, and bodies further along a "
-       "chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false).",
+       "chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false). Where a point "
+       "is in "
+       "a hinge already, the new hinge takes that one's place, with all that it joins: it keeps the name and breaks_at "
+       "that it is not given anew.",
        "local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, "
        "0, 0) } }\n"
        "scene:hinge(leg.tail, foot.heel, { name = \"ankle\", breaks_at = { force = 1000 } })"}};

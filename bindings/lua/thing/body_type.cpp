@@ -75,7 +75,8 @@ Type make_body_type() {
        "Pulls for the coming step, at its centre of mass or at a position of the world.",
        "scene:on(\"step\", function() block:push(vec(0, 20, 0), block.points[1].position) end)"},
       {"kick", guard<kick_body>, "impulse: vec [N s], at?: vec [m]", "",
-       "Changes the velocity at once, at its centre of mass or at a position of the world.",
+       "Changes the velocity at once, at its centre of mass or at a position of the world. What ties take of that is "
+       "in no force of theirs, and breaks none: a push does.",
        "block:kick(vec(0, 2, 0))"},
       {"twist", guard<twist_body>, "torque: vec [N m]", "", "Turns for the coming step.",
        "scene:on(\"step\", function() block:twist(vec(0, 0, 0.5)) end)"},

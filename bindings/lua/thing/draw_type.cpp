@@ -73,7 +73,9 @@ Type make_draw_type() {
   Type type{"Draw",
             "draw",
             "Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "
-            "\"screen\") x and y are in px from the upper left corner, negative ones from the right or lower edge.",
+            "\"screen\") x and y are in px from the upper left corner, negative ones from the right or lower edge. "
+            "The window's title and bar are over the upper 45 px, its tools and status line over the lower 120 px, and "
+            "scene:button begins at the left below the title.",
             {},
             {}};
   type.methods = {

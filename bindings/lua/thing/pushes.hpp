@@ -28,11 +28,13 @@ int kick_at_once(lua_State* state) {
 
 template <Kind kind>
 std::vector<Method> pushes() {
-  return {{"push", guard<push_force<kind>>, "force: vec [N]", "", "Pulls for the coming step.",
-           kind == Kind::point ? "scene:on(\"step\", function() arm.head:push(vec(0, 10, 0)) end)"
-                               : "scene:on(\"step\", function() p:push(vec(0, 10, 0)) end)"},
-          {"kick", guard<kick_at_once<kind>>, "impulse: vec [N s]", "", "Changes the velocity at once.",
-           kind == Kind::point ? "arm.head:kick(vec(0, 0.5, 0))" : "p:kick(vec(0, 0.5, 0))"}};
+  return {
+      {"push", guard<push_force<kind>>, "force: vec [N]", "", "Pulls for the coming step.",
+       kind == Kind::point ? "scene:on(\"step\", function() arm.head:push(vec(0, 10, 0)) end)"
+                           : "scene:on(\"step\", function() p:push(vec(0, 10, 0)) end)"},
+      {"kick", guard<kick_at_once<kind>>, "impulse: vec [N s]", "",
+       "Changes the velocity at once. What ties take of that is in no force of theirs, and breaks none: a push does.",
+       kind == Kind::point ? "arm.head:kick(vec(0, 0.5, 0))" : "p:kick(vec(0, 0.5, 0))"}};
 }
 
 }  // namespace pantin::lua
