@@ -57,7 +57,7 @@ std::vector<CornerTurn> turns_of(Articulate& a) {
   std::vector<CornerTurn> turns;
   for (Condition& c : a.conditions)
     for (const bool ahead : {false, true}) {
-      if (past(c, ahead) < -10.0 * round_off * c.extent) continue;
+      if (c.path == nullptr || !(past(c, ahead) >= -10.0 * round_off * c.extent)) continue;
       const double corner = corner_of(c, ahead);
       const PathRun next = c.path->next_run(c.run, ahead);
       const Vec3 from = c.path->tangent(corner, c.run), to = c.path->tangent(corner, next);
@@ -128,7 +128,7 @@ void CornerSearch::add_passed(const Articulate& a) {
   for (std::size_t k = 0; k < a.conditions.size(); k++)
     for (const bool ahead : {false, true}) {
       const Condition& c = a.conditions[k];
-      if (past(c, ahead) <= round_off * c.extent) continue;
+      if (!(past(c, ahead) > round_off * c.extent)) continue;
       const auto same = [&](const Passed& p) { return p.condition == k && p.ahead == ahead; };
       if (std::any_of(passed_.begin(), passed_.end(), same)) continue;
       passed_.push_back({k, ahead});
