@@ -25,10 +25,18 @@ void require_breaking(const std::string& who, const Breaking& b) {
   require_positive_or_infinite(who, "breaks_at.length", b.length, "m");
 }
 
+/// Of one that bears too much in several ways the worst.
 template <class Id>
 void note(std::vector<Overload<Id>>& list, const Overload<Id>& load, bool too_much) {
-  if (too_much && std::find(list.begin(), list.end(), load.id) == list.end()) list.push_back(load);
+  if (!too_much) return;
+  const auto known = std::find(list.begin(), list.end(), load.id);
+  if (known == list.end())
+    list.push_back(load);
+  else if (load.part > known->part)
+    *known = load;
 }
+
+constexpr double leaps = 1.5;  // of what is borne: so far no load grows in a step, if it was borne in the last one
 
 /// How long before the end of the step [s] a load that grew evenly, from the middle of the last step to that of this one,
 /// passed what is borne; 0 where it is not known, or leapt.
@@ -52,7 +60,8 @@ void find_overloads_of_stars(const World& world, const Articulate& a, Overloads&
   for (const auto& [slot, of] : loads) {
     const double load = norm(of.second);
     const double borne = world.particles[of.first].breaks_at.force;
-    note(found.hinges, {of.first, load, load / borne, text("its load of ", load, " N"), 0.0}, load > borne);
+    note(found.hinges, {of.first, load, load / borne, text("its load of ", load, " N"), 0.0, load > leaps * borne},
+         load > borne);
   }
 }
 
@@ -65,13 +74,16 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     const auto since = [&](double borne) {
       return a.loads.size() == a.rows.size() ? time_since(world, a.loads[k], load, borne) : 0.0;
     };
+    const auto leapt = [&](double borne) {
+      return load > leaps * borne || (a.loads.size() == a.rows.size() && since(borne) == 0.0);
+    };
     const auto story = [&] {
       return angular ? text("its torque of ", load, " N m") : text("its load of ", load, " N");
     };
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;
       const double borne = world.particles[ring].breaks_at.force;
-      note(found.hinges, {ring, load, load / borne, story(), since(borne)}, load > borne);
+      note(found.hinges, {ring, load, load / borne, story(), since(borne), leapt(borne)}, load > borne);
       continue;
     }
     const ConstraintId id = condition(a, row).constraint;
@@ -79,15 +91,15 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     if (!tells_force(world, condition(a, row), row, c)) continue;
     if (c.ring()) {
       const double borne = world.particles[c.ring()].breaks_at.torque;
-      note(found.hinges, {c.ring(), load, load / borne, story(), since(borne)}, load > borne);
+      note(found.hinges, {c.ring(), load, load / borne, story(), since(borne), leapt(borne)}, load > borne);
       continue;
     }
     const double length = angular ? 0.0 : norm(row.d1);
     const double borne = angular ? c.breaks_at.torque : c.breaks_at.force;
     if (length > c.breaks_at.length)
-      note(found.constraints, {id, load, 1.0, text("its length of ", length, " m"), 0.0}, true);
+      note(found.constraints, {id, load, 1.0, text("its length of ", length, " m"), 0.0, false}, true);
     else
-      note(found.constraints, {id, load, load / borne, story(), since(borne)}, load > borne);
+      note(found.constraints, {id, load, load / borne, story(), since(borne), leapt(borne)}, load > borne);
   }
 }
 
@@ -200,18 +212,18 @@ void set_enabled(World& world, ParticleId id, bool enabled) {
 }
 
 Overloads overloads_at_once(const World& world) {
-  constexpr double leaps = 1.5;    // of what it can bear: it bore no more than all of it in the last step
   constexpr double as_much = 0.5;  // of the most
   Overloads found = find_overloads(world);
-  double most = leaps;
+  double most = 0.0;
   const auto each = [&](auto&& use) {
     use(found.constraints);
     use(found.hinges);
   };
-  each([&](const auto& list) {
-    for (const auto& one : list) most = std::max(most, as_much * one.part);
+  each([&](auto& list) {
+    std::erase_if(list, [](const auto& one) { return !one.at_once; });
+    for (const auto& one : list) most = std::max(most, one.part);
   });
-  each([&](auto& list) { std::erase_if(list, [&](const auto& one) { return one.part < most; }); });
+  each([&](auto& list) { std::erase_if(list, [&](const auto& one) { return one.part < as_much * most; }); });
   return found;
 }
 

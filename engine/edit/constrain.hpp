@@ -86,6 +86,7 @@ struct Overload {
   double part;        ///< of what it can bear
   std::string story;  ///< what broke it
   double since;       ///< [s] when it broke, before the end of the step
+  bool at_once;       ///< the load leapt there
   friend bool operator==(const Overload& o, Id other) { return o.id == other; }
 };
 struct Overloads {

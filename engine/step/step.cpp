@@ -65,7 +65,7 @@ void step(World& world) {
         phases::project_velocities(world);
         if (touching) phases::meet_contacts(world);
       }
-    } while ((!misses_accuracy(world) && breaks < most_breaks && breaks_at_once(world) && ++breaks) ||
+    } while ((breaks < most_breaks && !misses_accuracy(world) && breaks_at_once(world) && ++breaks) ||
              is_to_be_done_again(world));
     phases::break_connections(world);
   }
