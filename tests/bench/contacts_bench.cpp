@@ -23,16 +23,17 @@ namespace {
 constexpr double short_seconds = 3.0, named_seconds = 100.0, growth_seconds = 30.0;  // [s] of the processor, at most
 constexpr const char *table = "contacts.csv", *picture = "contacts.svg";
 
-/// What is run, until when [s], and how much of the processor [s] each may use.
+/// What is run, until when [s], how much of the processor [s] each fall may use, and how many falls of a heap there are.
 struct Task {
   std::vector<std::string> cases;
   double until = peers::pile_end, most = named_seconds;
+  std::uint32_t falls = 3;
   bool grows = false;
 };
 
 struct Contender {
   std::string engine, setting;
-  std::function<peers::PileTrial(const std::string& pile, double until, double most)> run;
+  std::function<peers::PileTrial(const std::string& pile, std::uint32_t seed, const Task& task)> run;
   std::string name() const { return setting.empty() ? engine : engine + ", " + setting; }
 };
 
@@ -41,10 +42,13 @@ struct Result {
   std::vector<peers::PileTrial> trials;  ///< (contenders)
 };
 
-peers::PileTrial run_peer(const PeerProgram& peer, const std::string& setting, const std::string& pile, double until,
-                          double most) {
-  const support::Finished ended =
-      support::finish({{peer.path, "pile", setting, pile, number("%.17g", until), number("%.17g", most)}, {}, "", -1});
+peers::PileTrial run_peer(const PeerProgram& peer, const std::string& setting, const std::string& pile,
+                          std::uint32_t seed, const Task& task) {
+  const support::Finished ended = support::finish({{peer.path, "pile", setting, pile, std::to_string(seed),
+                                                    number("%.17g", task.until), number("%.17g", task.most)},
+                                                   {},
+                                                   "",
+                                                   -1});
   peers::PileTrial trial;
   const char* rest = ended.out.c_str();
   for (const auto& [name, value] : trial.numbers()) {
@@ -61,16 +65,19 @@ peers::PileTrial run_peer(const PeerProgram& peer, const std::string& setting, c
 }
 
 std::vector<Contender> contenders_of(const player::BenchOptions& options, bool first_settings) {
-  std::vector<Contender> list = {{"Pantin", "", [](const std::string& pile, double until, double most) {
-                                    return peers::run_pile(pantin_pile_setting(), peers::pile(pile), until, most);
-                                  }}};
+  std::vector<Contender> list;
+  for (const peers::Setting& setting : pantin_pile_settings())
+    list.push_back({"Pantin", setting.name, [setting](const std::string& pile, std::uint32_t seed, const Task& task) {
+                      return peers::run_pile(setting, peers::pile(pile, false, seed), task.until, task.most);
+                    }});
   if (!options.peers) return list;
   for (const PeerProgram& peer : peer_programs({"bullet", "ode", "mujoco", "box2d"}, "contacts", "piles"))
     for (const std::string& setting : peer.settings) {
       if (first_settings && setting != peer.settings.front()) continue;
-      list.push_back({peer.label, setting, [peer, setting](const std::string& pile, double until, double most) {
-                        return run_peer(peer, setting, pile, until, most);
-                      }});
+      list.push_back(
+          {peer.label, setting, [peer, setting](const std::string& pile, std::uint32_t seed, const Task& task) {
+             return run_peer(peer, setting, pile, seed, task);
+           }});
     }
   return list;
 }
@@ -91,6 +98,20 @@ void print_trial(const std::string& name, const peers::PileTrial& t, double unti
   std::printf("\n");
 }
 
+/// What falls by chance falls several times.
+peers::PileTrial run_falls(const Contender& contender, const std::string& pile, const Task& task) {
+  const std::string kind = pile.substr(0, pile.find('('));
+  const std::uint32_t falls = kind == "stack" || kind == "pyramid" ? 1 : task.falls;
+  std::vector<peers::PileTrial> trials;
+  for (std::uint32_t seed = 1; seed <= falls; seed++) {
+    show_progress(text(pile, ": ", contender.name(), falls > 1 ? text(", fall ", seed) : ""));
+    trials.push_back(contender.run(pile, seed, task));
+    show_progress("");
+    if (!trials.back().trouble.empty()) break;
+  }
+  return peers::together(trials);
+}
+
 Result run_case(const std::string& pile, const std::vector<Contender>& contenders, const Task& task) {
   const peers::Mechanism made = peers::pile(pile);
   std::printf("\n%s: %zu bodies, %zu joints\n", pile.c_str(), made.solids.size(), made.joints.size());
@@ -100,9 +121,7 @@ Result run_case(const std::string& pile, const std::vector<Contender>& contender
   std::printf(" %7s %8s %8s %8s\n", "settled", "creep, m", "rise, J", "gap, m");
   Result result{pile, {}};
   for (const Contender& contender : contenders) {
-    show_progress(text(pile, ": ", contender.name()));
-    result.trials.push_back(contender.run(pile, task.until, task.most));
-    show_progress("");
+    result.trials.push_back(run_falls(contender, pile, task));
     print_trial(contender.name(), result.trials.back(), task.until);
     std::fflush(stdout);
   }
@@ -194,7 +213,7 @@ Task task_of(const std::vector<std::string>& arguments) {
     task.cases = peers::usual_piles();
     task.cases.push_back("boxes(1000)");
   } else if (arguments.size() == 1 && arguments[0] == "growth") {
-    task = {{}, peers::pile_moves, growth_seconds, true};
+    task = {{}, peers::pile_moves, growth_seconds, 1, true};
     for (const char* kind : {"boxes", "balls"})
       for (const int n : {100, 300, 1000, 3000}) task.cases.push_back(text(kind, "(", n, ")"));
   }
@@ -220,11 +239,12 @@ void bench_contacts(const player::BenchOptions& options) {
       "that\n"
       "are open by less than a margin). deep: the deepest overlap, by Pantin's shapes at the poses of each engine. "
       "rise: the\n"
-      "largest of the energy in a step. settled: when all centres stay below %g m/s. Box2D: the same in a plane. Each "
-      "may\n"
-      "use %g s\n",
+      "largest of the energy in a step. settled: when all centres stay below %g m/s. Box2D: the same in a plane. What "
+      "falls\n"
+      "into a bin does so %u times, differently: means of times and points, the largest of the rest. Each fall may use "
+      "%g s\n",
       peers::pile_rate, peers::friction, peers::pile_moves, peers::pile_rests, peers::pile_end, peers::still,
-      task.most);
+      task.falls, task.most);
   std::vector<Result> results;
   for (const std::string& pile : task.cases) results.push_back(run_case(pile, contenders, task));
   print_summaries(results, contenders);

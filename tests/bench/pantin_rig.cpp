@@ -22,6 +22,8 @@ class PantinRig : public peers::Rig {
     bodies_ = support::add_mechanism(world_, mechanism);
   }
 
+  void search(ContactSearch how) { world_.settings.contact = how; }
+
   void step() override {
     wake_all(world_);  // no engine sleeps here
     pantin::step(world_);
@@ -66,13 +68,19 @@ std::vector<peers::Setting> pantin_settings() {
   return all;
 }
 
-peers::Setting pantin_pile_setting() {
-  peers::Setting setting;
-  setting.name = "as it is";
-  setting.make = [](const peers::Mechanism& pile, double step) {
-    return std::make_unique<PantinRig>(pile, step, Integrator::verlet, true);
-  };
-  return setting;
+std::vector<peers::Setting> pantin_pile_settings() {
+  std::vector<peers::Setting> all;
+  for (const ContactSearch search : {ContactSearch::automatic, ContactSearch::fast}) {
+    peers::Setting setting;
+    setting.name = search == ContactSearch::fast ? "fast" : "";
+    setting.make = [search](const peers::Mechanism& pile, double step) {
+      auto rig = std::make_unique<PantinRig>(pile, step, Integrator::verlet, true);
+      rig->search(search);
+      return rig;
+    };
+    all.push_back(setting);
+  }
+  return all;
 }
 
 }  // namespace pantin

@@ -39,10 +39,10 @@ void list(const std::vector<Setting>& all) {
   for (const Setting& setting : all) std::printf("%s%s\n", setting.chooses_steps ? "*" : "", setting.name.c_str());
 }
 
-void run_one_pile(const char* setting_name, const char* pile_name, double until, double most) {
+void run_one_pile(const char* setting_name, const char* pile_name, std::uint32_t seed, double until, double most) {
   const std::vector<Setting> all = pile_settings();
   const Setting& setting = *find(all, setting_name);
-  const Mechanism mechanism = pile(pile_name, setting.in_plane);
+  const Mechanism mechanism = pile(pile_name, setting.in_plane, seed);
   if (!setting.can(mechanism)) {
     std::printf("trouble: too much for it\n");
     return;
@@ -68,8 +68,9 @@ int main(int argc, char** argv) {
     run(argv[2], argv[3], std::atof(argv[4]), {std::atof(argv[5]), std::atof(argv[6])});
   else if (asked("piles", 2))
     list(pile_settings());
-  else if (asked("pile", 6))
-    run_one_pile(argv[2], argv[3], std::atof(argv[4]), std::atof(argv[5]));
+  else if (asked("pile", 7))
+    run_one_pile(argv[2], argv[3], static_cast<std::uint32_t>(std::atoi(argv[4])), std::atof(argv[5]),
+                 std::atof(argv[6]));
   else
     return 2;
   return 0;

@@ -4,7 +4,8 @@
 //   pantin_peer_NAME run SETTING CASE RATE X Y    error energy gap cost, or "trouble: …"; RATE in steps per second,
 //                                                 X Y [m] where the reference has the measured body
 //   pantin_peer_NAME piles                        names of the settings for piles
-//   pantin_peer_NAME pile SETTING CASE END MOST   the numbers of a PileTrial, or "trouble: …"; it ends at END [s], or once
+//   pantin_peer_NAME pile SETTING CASE SEED END MOST
+//                                                 the numbers of a PileTrial, or "trouble: …"; it ends at END [s], or once
 //                                                 it has used MOST [s] of the processor
 #include "peers/trial.hpp"
 

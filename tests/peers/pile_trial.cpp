@@ -144,6 +144,32 @@ std::vector<std::pair<const char*, double*>> PileTrial::numbers() {
           {"unsolved", &unsolved}};
 }
 
+PileTrial together(const std::vector<PileTrial>& falls) {
+  PileTrial all = falls.front();
+  const auto n = static_cast<double>(falls.size());
+  const auto worst = [](double& most, double x) { most = std::isnan(x) || x > most ? x : most; };
+  const auto add = [&](Stretch& sum, const Stretch& s) {
+    sum.step += s.step;
+    sum.contacts += s.contacts;
+    worst(sum.overlap, s.overlap);
+  };
+  for (std::size_t i = 1; i < falls.size(); i++) {
+    const PileTrial& fall = falls[i];
+    if (all.trouble.empty()) all.trouble = fall.trouble;
+    add(all.moving, fall.moving);
+    add(all.rest, fall.rest);
+    worst(all.creep, fall.creep);
+    worst(all.rise, fall.rise);
+    worst(all.gap, fall.gap);
+    all.settled += fall.settled;
+    all.unsolved += fall.unsolved;
+    all.simulated = std::min(all.simulated, fall.simulated);
+  }
+  for (double* sum : {&all.moving.step, &all.moving.contacts, &all.rest.step, &all.rest.contacts, &all.settled})
+    *sum /= n;
+  return all;
+}
+
 double deepest_overlap(const Mechanism& pile, const std::vector<SolidState>& state) {
   std::vector<Placed> solids;
   for (std::size_t i = 0; i < state.size(); i++) solids.push_back(placed(pile.solids[i], state[i]));

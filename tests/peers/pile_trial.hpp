@@ -38,6 +38,9 @@ struct PileTrial {
   std::vector<std::pair<const char*, double*>> numbers();
 };
 
+/// Of several falls of one pile: means of times and contacts, the largest of what else is measured, all that is unsolved.
+PileTrial together(const std::vector<PileTrial>& falls);
+
 /// Ends at `until` [s], or once it has used so much of the processor [s].
 PileTrial run_pile(const Setting& setting, const Mechanism& pile, double until, double most);
 

@@ -146,3 +146,26 @@ TEST_CASE("piles: what does not settle, fails or takes too long is told") {
   CHECK(std::isnan(stopped.rest.step));
   CHECK(std::isnan(stopped.creep));
 }
+
+TEST_CASE("piles: of several falls times are means, and what is worst is told") {
+  peers::PileTrial first, second;
+  first.moving = {100.0, 10.0, 0.1};
+  second.moving = {300.0, 20.0, 0.05};
+  first.creep = 1e-3;
+  first.settled = 2.0;
+  second.settled = 4.0;
+  first.unsolved = second.unsolved = 5.0;
+  first.simulated = second.simulated = 8.0;
+  peers::PileTrial both = peers::together({first, second});
+  CHECK(both.moving.step == 200.0);
+  CHECK(both.moving.contacts == 15.0);
+  CHECK(both.moving.overlap == 0.1);
+  CHECK(both.creep == 1e-3);
+  CHECK(both.settled == 3.0);
+  CHECK(both.unsolved == 10.0);
+  second.simulated = 5.0;
+  second.creep = std::nan("");
+  both = peers::together({first, second});
+  CHECK(both.simulated == 5.0);
+  CHECK(std::isnan(both.creep));
+}
