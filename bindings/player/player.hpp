@@ -126,11 +126,12 @@ class Player {
   std::shared_ptr<SavedFile> lasting_of(const std::string& path) const;
   void confine_window(const std::string& home);
   void record(const std::string& path);
+  std::string recorded_path(const std::string& path) const;
   void stop_recording(const std::string& why);
   void reload();
-  std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);
+  std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options, bool anew = false);
   void adopt(std::shared_ptr<Scene> fresh);
-  bool take_over(const std::string& path, const std::string& act);
+  bool take_over(const NextScene& next, const std::string& act);
   void open_neighbour(int places);
   void open_next();
   void play(const SoundCall& call);

@@ -10,13 +10,14 @@ void Player::begin_recording() {
     record(options_.record);
 }
 
+std::string Player::recorded_path(const std::string& path) const { return path_as_recorded(path, scene_options_.home); }
+
 void Player::record(const std::string& path) {
-  const auto named = [home = scene_options_.home](const std::string& file) { return path_as_recorded(file, home); };
-  RecordingHead head{program_version(), named(path_), scene_options_.set, {}, lasting_->written()};
-  for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
+  RecordingHead head{program_version(), recorded_path(path_), scene_options_.set, {}, lasting_->written()};
+  for (const auto& [file, content] : reload_.files()) head.files[recorded_path(file)] = content;
   recorder_ = std::make_unique<Recorder>(path, std::move(head));
-  reload_.on_read = [this, named](const FileRead& file) {
-    if (recorder_) recorder_->file(named(file.path), file.content);
+  reload_.on_read = [this](const FileRead& file) {
+    if (recorder_) recorder_->file(recorded_path(file.path), file.content);
   };
   undo_.on_state = [this](std::uint64_t number, bool put_back) {
     if (recorder_) put_back ? recorder_->restored(number) : recorder_->kept(number);

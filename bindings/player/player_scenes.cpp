@@ -30,14 +30,14 @@ std::string act_of_change(const std::string& parameter) { return "change of " + 
 }  // namespace
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
-std::unique_ptr<Scene> Player::load(const std::string& path, const SceneOptions& options) {
+std::unique_ptr<Scene> Player::load(const std::string& path, const SceneOptions& options, bool anew) {
   const auto start = Clock::now();
   std::unique_ptr<Scene> scene;
   std::exception_ptr error;
   std::atomic<bool> done = false;
   std::thread loader([&] {
     try {
-      scene = reload_.open(path, options);
+      scene = reload_.open(path, options, anew);
     } catch (...) { error = std::current_exception(); }
     done = true;
   });
@@ -135,21 +135,24 @@ void Player::restart() {
   } catch (const std::exception& error) { fail(error.what()); }
 }
 
-bool Player::open(const std::string& path) { return take_over(path, ""); }
+bool Player::open(const std::string& path) { return take_over({path, {}, ""}, ""); }
 
 /// Where that is an act, and something was done, it can be undone.
-bool Player::take_over(const std::string& path, const std::string& act) {
+bool Player::take_over(const NextScene& next, const std::string& act) {
+  const std::string& path = next.path;
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
+  for (const auto& [name, value] : next.parameters) options.set[name] = setting_text(value);
+  if (!next.place.empty()) options.set_by = next.place + ": open: ";
   std::unique_ptr<Scene> fresh;
   lasting_->write();
   std::shared_ptr<SavedFile> lasting = lasting_of(path);
   options.saved = lasting->values();
   try {
-    fresh = load(path, options);
+    fresh = load(path, options, true);
   } catch (const std::exception& error) { return complain(error.what()), false; }
   lasting_ = std::move(lasting);
-  stop_recording("another scene was opened");
+  if (path.ends_with(state_ending)) stop_recording("what goes on from a state is not recorded");
   if (act.empty()) {
     undo_.clear();
     earlier_ += scene_->world().time;
@@ -160,6 +163,7 @@ bool Player::take_over(const std::string& path, const std::string& act) {
   path_ = path;
   scene_options_ = options;
   adopt(std::move(fresh));
+  if (recorder_) recorder_->opened({recorded_path(path_), scene_options_.set, lasting_->written()});
   if (first && !options_.record.empty()) begin_recording();
   panels_.reset();
   paused_ = false;
@@ -201,13 +205,13 @@ void Player::save_scene() {
 void Player::open_state() {
   if (saved_.empty()) return complain(text("no state was saved yet: ", key_for(KeyUse::save_state), " saves it"));
   const bool paused = paused_;
-  if (take_over(saved_, "opening of a state")) paused_ = paused;
+  if (take_over({saved_, {}, ""}, "opening of a state")) paused_ = paused;
 }
 
 /// What the scene asked for; where it cannot be opened, that is told once.
 void Player::open_next() {
   lasting_->keep();
-  if (const std::string next = scene_->take_next(); !next.empty()) open(next);
+  if (const NextScene next = scene_->take_next(); !next.path.empty()) take_over(next, "");
 }
 
 void Player::play(const SoundCall& call) {

@@ -102,6 +102,11 @@ void Recorder::restarted() {
   write({tick_, Restarted{}});
 }
 
+void Recorder::opened(SceneOpened scene) {
+  second_ = 0.0;
+  write({tick_, std::move(scene)});
+}
+
 void Recorder::file(const std::string& path, const std::string& content) {
   const auto [told, is_new] = contents_.try_emplace(path, content);
   if (!is_new && told->second == content) return;

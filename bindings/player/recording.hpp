@@ -12,6 +12,7 @@
 //   "keep", "restore"        the state was kept under a number, or one put back: undo and redo; one of a scene that another
 //                            took the place of is that scene again, as it was left
 //   "restart"                the scene was opened anew
+//   "open" and "set"         another scene was opened, or the same with other parameters; "saved" as in the first line
 //   "file" and "content"     a file was read that was not, or was another
 //   "reload"                 the scene was opened anew, and went on where it was
 //   "failed"                 the coming step ended in an error
@@ -62,6 +63,12 @@ struct StateRestored {
   std::uint64_t number = 0;  ///< of the StateKept
 };
 struct Restarted {};
+/// The scene took the place of the one before it.
+struct SceneOpened {
+  std::string scene;                       ///< path, see `path_as_recorded`
+  std::map<std::string, std::string> set;  ///< as RunOptions::set
+  SavedValues saved = {};                  ///< what `scene.saved` began with
+};
 struct FileFound {
   std::string path, content;
 };
@@ -77,7 +84,7 @@ struct RecordingEnd {};
 struct RecordedAct {
   std::uint64_t tick = 0;  ///< steps done before
   std::variant<StepInput, DoneAtOnce, HandCame, ParameterChange, FieldEdit, StateKept, StateRestored, Restarted,
-               FileFound, GoneOn, StepFailed, StateCheck, RecordingEnd>
+               SceneOpened, FileFound, GoneOn, StepFailed, StateCheck, RecordingEnd>
       what;
 };
 
@@ -119,6 +126,7 @@ class Recorder {
   void kept(std::uint64_t number);
   void restored(std::uint64_t number);
   void restarted();
+  void opened(SceneOpened scene);
   /// A file was read, by its path as recorded.
   void file(const std::string& path, const std::string& content);
   /// The scene goes on with what its files are now.

@@ -236,6 +236,15 @@ void write(Json& line, const FieldEdit& edit) {
 void write(Json& line, const StateKept& kept) { line["keep"] = kept.number; }
 void write(Json& line, const StateRestored& restored) { line["restore"] = restored.number; }
 void write(Json& line, const Restarted&) { line["restart"] = true; }
+void write_opening(Json& line, const std::map<std::string, std::string>& set, const SavedValues& saved) {
+  line["set"] = Json::object();
+  for (const auto& [name, value] : set) line["set"][letters_of(name)] = letters_of(value);
+  for (const auto& [name, value] : saved) line["saved"][letters_of(name)] = json_of(value);
+}
+void write(Json& line, const SceneOpened& opened) {
+  line["open"] = letters_of(opened.scene);
+  write_opening(line, opened.set, opened.saved);
+}
 void write(Json& line, const FileFound& file) {
   line["file"] = letters_of(file.path);
   line["content"] = letters_of(file.content);
@@ -274,15 +283,25 @@ FieldEdit edit_of(const Json& line) {
   return edit;
 }
 
+void read_opening(const Json& line, std::map<std::string, std::string>& set, SavedValues& saved) {
+  for (const auto& [name, value] : line.at("set").items()) set.emplace(bytes_of(name), bytes_of(value));
+  if (line.contains("saved"))
+    for (const auto& [name, json] : line.at("saved").items()) saved.emplace(bytes_of(name), value_of(json));
+}
+
 RecordingHead read_head(const Json& line) {
   const auto found = whole_of<int>(line.at("pantin"));
   require(found == format_version, "it has the format ", found, ", and this program reads the format ", format_version);
   RecordingHead head{line.at("version"), bytes_of(line.at("scene")), {}, {}};
-  for (const auto& [name, value] : line.at("set").items()) head.set.emplace(bytes_of(name), bytes_of(value));
+  read_opening(line, head.set, head.saved);
   for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
-  if (line.contains("saved"))
-    for (const auto& [name, json] : line.at("saved").items()) head.saved.emplace(bytes_of(name), value_of(json));
   return head;
+}
+
+SceneOpened opened_of(const Json& line) {
+  SceneOpened opened{bytes_of(line.at("open")), {}};
+  read_opening(line, opened.set, opened.saved);
+  return opened;
 }
 
 RecordedAct read_act(const Json& line) {
@@ -303,6 +322,8 @@ RecordedAct read_act(const Json& line) {
     act.what = StateRestored{whole_of<std::uint64_t>(line.at("restore"))};
   else if (line.contains("restart"))
     act.what = Restarted{};
+  else if (line.contains("open"))
+    act.what = opened_of(line);
   else if (line.contains("file"))
     act.what = FileFound{bytes_of(line.at("file")), bytes_of(line.at("content"))};
   else if (line.contains("reload"))
@@ -333,11 +354,9 @@ What read_line(const std::string& line, What (*read)(const Json&)) {
 
 std::string line_of(const RecordingHead& head) {
   Json line{{"pantin", format_version}, {"version", head.version}, {"scene", letters_of(head.scene)}};
-  line["set"] = Json::object();
-  for (const auto& [name, value] : head.set) line["set"][letters_of(name)] = letters_of(value);
+  write_opening(line, head.set, head.saved);
   line["files"] = Json::object();
   for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
-  for (const auto& [name, value] : head.saved) line["saved"][letters_of(name)] = json_of(value);
   return line.dump();
 }
 

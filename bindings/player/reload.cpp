@@ -8,10 +8,10 @@
 
 namespace pantin::player {
 
-std::unique_ptr<Scene> Reload::open(const std::string& path, SceneOptions options) {
+std::unique_ptr<Scene> Reload::open(const std::string& path, SceneOptions options, bool anew) {
   const auto read = std::make_shared<Files>();
   options.changing = true;
-  options.forgiving = !files_->empty();                   // the file may have changed since `set` was given
+  options.forgiving = !anew && !files_->empty();
   options.on_read = [this, read](const FileRead& file) {  // also while the scene is played
     (*read)[file.path] = file.content;
     watch_.add(file.path);

@@ -24,8 +24,9 @@ class Reload {
   using Files = std::map<std::string, std::string>;
   using Read = std::shared_ptr<const Files>;
 
-  /// Opens a scene; its files are watched from then on, even where this throws.
-  std::unique_ptr<Scene> open(const std::string& path, SceneOptions options);
+  /// Opens a scene; its files are watched from then on, even where this throws. But for the first, and one that is opened
+  /// `anew`, what `set` says was for the file as it was: what does not fit any more is left out.
+  std::unique_ptr<Scene> open(const std::string& path, SceneOptions options, bool anew = false);
   /// Whether a file was saved, and what came of that.
   std::optional<Reloaded> look(Scene& playing, const std::string& path, const SceneOptions& options,
                                FileWatch::Clock::time_point now = FileWatch::Clock::now());

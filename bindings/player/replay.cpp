@@ -51,12 +51,9 @@ Replay::Replay(Recording recording, const RunOptions& options, const std::string
 Replay::~Replay() = default;
 
 void Replay::start() {
-  options_.set = recording_.head.set;
-  options_.saved = std::make_shared<SavedValues>(recording_.head.saved);
   contents_ = std::make_shared<const std::map<std::string, std::string>>(recording_.head.files);
-  options_.forgiving = false;
-  kept_.clear();
-  open();
+  open_other({recording_.head.scene, recording_.head.set, recording_.head.saved});
+  place_ = 0;
   tick_ = 0;
   next_ = 0;
   astray_ = false;
@@ -66,15 +63,25 @@ void Replay::start() {
   if (ticks() == 0) do_last();
 }
 
+void Replay::open_other(const SceneOpened& opened) {
+  path_ = opened.scene;
+  options_.set = opened.set;
+  options_.saved = std::make_shared<SavedValues>(opened.saved);
+  options_.forgiving = false;
+  kept_.clear();
+  place_++;
+  open();
+}
+
 void Replay::open() {
-  adopt(lua::open_scene(recording_.head.scene, options_));
+  adopt(lua::open_scene(path_, options_));
   options_.forgiving = true;
   straight_ = true;
   since_position_ = shortest_interval;
 }
 
 void Replay::go_on() {
-  std::unique_ptr<Scene> fresh = lua::open_scene(recording_.head.scene, options_);
+  std::unique_ptr<Scene> fresh = lua::open_scene(path_, options_);
   fresh->go_on_from(*scene_);
   adopt(std::move(fresh));
 }
@@ -163,6 +170,7 @@ void Replay::do_act(const RecordedAct& act) {
   if (const auto* file = std::get_if<FileFound>(&act.what)) find(*file);
   if (std::holds_alternative<GoneOn>(act.what)) go_on();
   if (std::holds_alternative<Restarted>(act.what)) open();
+  if (const auto* opened = std::get_if<SceneOpened>(&act.what)) open_other(*opened);
 }
 
 /// Does what was done before the coming step. True where that is said to fail.

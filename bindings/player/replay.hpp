@@ -34,8 +34,9 @@ class Replay {
   double step_length() const { return scene_->world().settings.step; }                       ///< [s]
   double time() const { return static_cast<double>(tick_) * step_length(); }                 ///< [s] of the recording
   double duration() const { return static_cast<double>(recording_.ticks) * step_length(); }  ///< [s] the same
-  std::uint64_t openings() const { return openings_; }               ///< how often `scene` has become another
-  const std::string& path() const { return recording_.head.scene; }  ///< of the scene
+  std::uint64_t openings() const { return openings_; }  ///< how often `scene` has become another
+  std::uint64_t place() const { return place_; }        ///< of the scene among those that were opened one after another
+  const std::string& path() const { return path_; }     ///< of the scene
   const std::vector<RecordedAct>& acts() const { return recording_.acts; }
   std::uint64_t checked() const { return checked_; }  ///< hashes that agreed
   /// "the replay parts from the recording between 2 s and 3 s": where the first hash did not agree; else empty.
@@ -55,6 +56,7 @@ class Replay {
   };
   void start();
   void open();
+  void open_other(const SceneOpened& opened);
   void go_on();
   void adopt(std::shared_ptr<Scene> fresh);
   void look_at_files(const std::string& home);
@@ -72,6 +74,7 @@ class Replay {
   void jump(std::uint64_t tick);
 
   Recording recording_;
+  std::string path_;
   SceneOptions options_;
   FileContents contents_;  ///< of the files, as they are at the present tick
   std::shared_ptr<Scene> scene_;
@@ -83,7 +86,7 @@ class Replay {
   double place_cost_ = 0.0;            ///< [s] of keeping the last
   std::size_t next_ = 0;               ///< act
   std::size_t judged_ = 0;             ///< acts whose hashes were compared
-  std::uint64_t tick_ = 0, openings_ = 0, checked_ = 0, agreed_ = 0;
+  std::uint64_t tick_ = 0, openings_ = 0, place_ = 0, checked_ = 0, agreed_ = 0;
   bool seen_;             ///< somebody may go back
   bool straight_ = true;  ///< no place was gone to since the start
   bool exact_ = true;     ///< going to places has come to the states of the first time

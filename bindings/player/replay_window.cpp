@@ -57,12 +57,17 @@ ReplayWindow::ReplayWindow(const std::string& recording, const RunOptions& optio
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : 4, window_.scale()),
       replay_(open_replay(recording, options, home)),
       openings_(replay_.openings()),
+      place_(replay_.place()),
       views_(options.views),
       marked_(ticks_of_acts(replay_.acts())),
       paused_(options.paused) {
-  window_.set_title(title() + " - Pantin");
-  if (replay_.scene().dark()) views_.set(View::dark, true);
   renderer_.open(replay_.scene().world());
+  look_at_scene();
+}
+
+void ReplayWindow::look_at_scene() {
+  window_.set_title(title() + " - Pantin");
+  views_.set(View::dark, replay_.scene().dark() || options_.views.on(View::dark));
   camera_ = aim(replay_.scene(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }
 
@@ -100,6 +105,7 @@ void ReplayWindow::adopt() {
   openings_ = replay_.openings();
   follower_ = {};
   renderer_.open(replay_.scene().world());
+  if (std::exchange(place_, replay_.place()) != place_) look_at_scene();
 }
 
 void ReplayWindow::take(const PointerEvent& event) {

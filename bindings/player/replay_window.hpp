@@ -49,6 +49,7 @@ class ReplayWindow {
   bool at_end();
   void fail(const std::string& why);
   void adopt();
+  void look_at_scene();
   std::string message() const;
   Overlay overlay();
   void mark_hands(Overlay& shown);
@@ -63,6 +64,7 @@ class ReplayWindow {
   Renderer renderer_;
   Replay replay_;
   std::uint64_t openings_;  ///< of the replay's scene, when it was seen last
+  std::uint64_t place_;     ///< the same
   Camera camera_;
   Follower follower_;
   Speaker speaker_;

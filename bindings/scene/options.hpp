@@ -25,8 +25,16 @@ struct FileRead {
   std::string content;
 };
 
+/// A scene that another one opens.
+struct NextScene {
+  std::string path;                              ///< empty: none
+  std::map<std::string, SceneValue> parameters;  ///< that it is opened with
+  std::string place;                             ///< "scene.lua:12", which asked for it
+};
+
 struct SceneOptions {
   std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
+  std::string set_by = "--set ";                    ///< begins what is said of one of `set` that does not fit
   double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of the script's memory
   int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors

@@ -67,8 +67,8 @@ class Scene {
   virtual std::span<const SoundCall> sounds() const { return {}; }  ///< that began in the last step
   /// The first error, with its line, that ended only what an event did, so that the scene goes on; empty: none.
   virtual const std::string& broken_off() const;
-  /// Path of the scene that it wants to be opened now, once; else empty.
-  virtual std::string take_next() { return ""; }
+  /// The scene that it wants to be opened now, once; else none.
+  virtual NextScene take_next() { return {}; }
   /// What the world's log has of them.
   std::vector<std::string> warnings() const;
   std::vector<std::string> notices() const;

@@ -1455,12 +1455,14 @@ function Scene:save(file) end
 ---@param sound string
 ---@param options? SoundOptions
 function Scene:sound(sound, options) end
----Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the log tells it.
+---Opens another scene of the scene's folder, or the same again, once the step is done, with values of its parameters as --set gives them. Without a window the run ends there, and the log tells it.
 ---```lua
----scene:when(function() return p.position.x > 10 end, function() scene:open("level2.lua") end)
+---local score = scene:param("score", 0)
+---scene:on("key", "n", function() scene:open("level2.lua", { score = score + 1 }) end)
 ---```
 ---@param file string
-function Scene:open(file) end
+---@param parameters? table
+function Scene:open(file, parameters) end
 
 ---A scene that a test opened.
 ---@class OpenedScene: AnyScene
@@ -1469,6 +1471,7 @@ function Scene:open(file) end
 ---@field sounds string[] names of the sounds that began in the last step (read only)
 ---@field taken string keys and what of gamepads and the mouse it has read, which are its own (read only)
 ---@field next string? the file that it opened by scene:open (read only)
+---@field next_parameters table the parameters that it opened that file with (read only)
 local OpenedScene = {}
 ---Steps on for a time.
 ---```lua

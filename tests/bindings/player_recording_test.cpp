@@ -96,6 +96,44 @@ TEST_CASE("recording: one may go to any step of it and back, and is there in the
   CHECK(replay.mismatch() == "");
 }
 
+TEST_CASE("recording: it goes on over scenes that open each other, and one may go to any step of all of them") {
+  Folder folder;
+  write_file(folder / "scene.lua", scene_text);
+  write_file(folder / "next.lua",
+             "local v = scene:param('v', 1) local stage = scene:param('stage', 'one')\n"
+             "scene.title = stage for i = 1, 3 do\n"
+             "scene:particle { at = vec(i, 0, 0), velocity = vec(0, v, math.random()) } end");
+  RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+  const auto part = [&] {
+    person.play(1.2);
+    return person.hash();
+  };
+  std::vector<std::uint64_t> hashes = {part()};
+  person.open(folder / "next.lua", {{"v", "5"}});
+  hashes.push_back(part());
+  person.open(folder / "next.lua", {{"stage", "two"}});
+  person.restart();
+  hashes.push_back(part());
+  person.finish();
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  to_end(replay);
+  CHECK(replay.mismatch() == "");
+  CHECK(replay.checked() >= 3);
+  const auto look = [&](std::uint64_t tick, std::size_t place, const std::string& title) {
+    while (!replay.go_to(tick, 100)) {}
+    CHECK(state_hash(replay.scene().world()) == hashes.at(place));
+    CHECK(replay.place() == place);
+    CHECK(replay.scene().title() == title);
+    CHECK(replay.path() == folder / (place == 0 ? "scene.lua" : "next.lua"));
+  };
+  for (int i = 0; i < 2; i++) {
+    look(864, 2, "two");
+    look(576, 1, "one");
+    look(288, 0, "");
+  }
+  CHECK(replay.mismatch() == "");
+}
+
 TEST_CASE("recording: a step back is exact where the script counts in a variable of its own, and where it waits") {
   const std::string thrown = "local p = scene:particle{ at = vec(0, 1, 0), velocity = vec(1, 3, 0) } local n = 0 ";
   const std::string text = GENERATE(

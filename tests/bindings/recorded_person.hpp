@@ -105,6 +105,14 @@ class RecordedPerson {
     scene_ = reload_.open(path_, options_);
     recorder_->restarted();
   }
+  /// Another scene, as one opens it that is over.
+  void open(const std::string& path, const std::map<std::string, std::string>& set) {
+    undo_.clear();
+    path_ = path;
+    options_.set = set;
+    scene_ = reload_.open(path_, options_, true);
+    recorder_->opened({player::path_as_recorded(path_, options_.home), set});
+  }
   void set(const std::string& name, double value) {
     options_.set[name] = to_text(value);
     const auto& parameters = scene_->parameters();

@@ -152,6 +152,34 @@ test("a scene may open another when the step is done", function()
   expect(function() open_text(two) end):fails("text.lua:2: open: the next scene is touch_test.lua already")
 end)
 
+test("a scene opens another with parameters, which a test can open it with", function()
+  local scene = open_text [[
+    local score = scene:param("score", 3)
+    scene:at(0, function() scene:open("controls_test.lua", { score = score + 1, name = "Ann", fast = true }) end)]]
+  expect(next(scene.next_parameters)):equal(nil)
+  scene:step()
+  expect(scene.next_parameters.score):equal(4)
+  expect(scene.next_parameters.name):equal("Ann")
+  expect(scene.next_parameters.fast):is_true()
+  expect(scene.log[#scene.log].text):equal('text.lua:2: the next scene is controls_test.lua with fast = true, name = Ann, score = 4')
+  local level = 'scene:param("score", 0) scene:param("name", "") scene:param("fast", false)'
+  open_text(level, scene.next_parameters)
+  expect(function() open_text('scene:param("scores", 0)', { score = 4 }) end):fails("open: score=4: the scene has no parameter 'score'. Did you mean 'scores'?")
+end)
+
+test("parameters that a scene is opened with are plain values by their names", function()
+  local function fails(parameters, message)
+    expect(function() open_text('scene:open("touch_test.lua", ' .. parameters .. ")") end):fails("text.lua:1: open: " .. message)
+  end
+  fails("3", "argument 2 must be a table of parameters, got a number")
+  fails("{ 3 }", "names of parameters must be strings")
+  fails("{ at = vec(0, 0, 0) }", "parameter at must be a number, true or false, or a string, got a vec")
+  fails("{ x = 1 / 0 }", "parameter x must be a finite number, got infinity")
+  fails('{ ["scene.step"] = 1 }', "a parameter has no '=' or '.' in its name, got 'scene.step'")
+  local two = 'scene:open("touch_test.lua", { x = 1 }) scene:open("touch_test.lua", { x = 1 })\nscene:open("touch_test.lua", { x = 2 })'
+  expect(function() open_text(two) end):fails("text.lua:2: open: the next scene is touch_test.lua already, with other parameters")
+end)
+
 test("the mouse is told what a test says, and without one there is none", function()
   local code = [[
     local pressed, released = 0, 0

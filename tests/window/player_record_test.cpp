@@ -147,6 +147,26 @@ TEST_CASE("a recording goes on where a file is saved while two fingers drag", "[
   recorded.check();
 }
 
+TEST_CASE("a recording goes on over a scene that opens another with parameters", "[window]") {
+  Recorded recorded(chain + R"(
+    if count == 6 then scene:on("key", "u", function() scene:open("scene.lua", { links = 4 }) end) end
+    if count == 4 then scene:on("key", "u", function() scene:open("other.lua", { speed = 2 }) end) end)");
+  support::write_file(recorded.folder / "other.lua",
+                      "local v = scene:param('speed', 1) scene:particle { velocity = vec(v, math.random(), 0) }");
+  recorded.use(SDLK_1, recorded.tip(), vec(2, 3, 0));
+  recorded.play_on(1.1);
+  recorded.tap(SDLK_u);
+  recorded.frames(10);
+  CHECK(recorded.world().bodies.size() == 4);
+  recorded.use(SDLK_1, recorded.tip(), vec(2, 3, 0));
+  recorded.with_control(SDLK_z);
+  recorded.tap(SDLK_u);
+  recorded.frames(10);
+  CHECK(recorded.world().bodies.empty());
+  recorded.play_on(1.1);
+  recorded.check();
+}
+
 TEST_CASE("a recording in which a reload is undone is played again to the bit", "[window]") {
   Recorded recorded;
   recorded.use(SDLK_8, vec(4, 0, 0), vec(5, 0, 0));

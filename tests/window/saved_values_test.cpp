@@ -73,6 +73,37 @@ TEST_CASE("saved_values: a play ends at its time, which is that of all scenes th
   CHECK(played.world().time == Approx(0.1).margin(0.02));
 }
 
+TEST_CASE("saved_values: a scene opens the next with parameters, which a restart keeps and the next after it has not",
+          "[window]") {
+  const DataFolder data;
+  Played played(R"(
+    local level, name = scene:param("level", 1, { min = 1, max = 3 }), scene:param("name", "nobody")
+    scene:result("level", level) scene:result("name", name)
+    scene:particle()
+    local open = level == 1 and { level = 2, name = "Ann = x" } or level == 2 and { level = 4 } or {}
+    scene:on("key", "j", function() scene:open("scene.lua", open) end)
+    scene:on("key", "l", function() scene:open("scene.lua", { levle = 2 }) end)
+    scene:on("key", "m", function() scene:open("scene.lua") end))");
+  const auto tap = [&](SDL_Keycode key) {
+    pushed::tap(key);
+    played.frames(8);
+    return played.result("level");
+  };
+  const auto complaint = [&] { return played.player->complaint() ? played.player->complaint()->text : ""; };
+  CHECK(tap(SDLK_j) == 2.0);
+  CHECK(std::get<std::string>(played.player->scene().results().at("name")) == "Ann = x");
+  CHECK(tap(SDLK_r) == 2.0);
+  CHECK(complaint() == "");
+  CHECK(tap(SDLK_j) == 2.0);
+  CHECK(complaint() == "scene.lua:6: open: level=4: level must be at most 3, got 4");
+  CHECK(tap(SDLK_r) == 2.0);
+  tap(SDLK_l);
+  CHECK(complaint() ==
+        "scene.lua:7: open: levle=2: the scene has no parameter 'levle'. Did you mean 'level'? It has level, name");
+  tap(SDLK_r);
+  CHECK(tap(SDLK_m) == 1.0);
+}
+
 TEST_CASE("saved_values: a scene opens the next, and one that is not there is told once", "[window]") {
   const DataFolder data;
   Played played(R"(scene:particle() scene:at(0.5, function() scene:open("level2.lua") end))");

@@ -55,7 +55,8 @@ void take_command_line(const Script& script, SceneParameter& p) {
     check_allowed(p, value);
     p.value = value;
   } catch (const Error& error) {
-    if (!script.options.forgiving) throw UsageError(text("--set ", p.name, "=", given->second, ": ", error.what()));
+    if (!script.options.forgiving)
+      throw UsageError(text(script.options.set_by, p.name, "=", given->second, ": ", error.what()));
   }
 }
 
@@ -80,6 +81,31 @@ void push_setting(lua_State* state, const Field& field, const std::string& given
 }
 
 }  // namespace
+
+void each_given(lua_State* state, int index, const char* call,
+                const std::function<void(const std::string& name)>& take) {
+  if (lua_isnoneornil(state, index)) return;
+  require(lua_istable(state, index), call, ": argument 2 must be a table of parameters, got ",
+          kind_of_value(state, index));
+  const KeysOfTable keys = keys_of(state, index);
+  require(keys.count == 0 && !keys.has_others, call, ": names of parameters must be strings");
+  for (const std::string& name : keys.names) {
+    lua_pushlstring(state, name.data(), name.size());
+    lua_rawget(state, index);
+    take(name);
+    lua_pop(state, 1);
+  }
+}
+
+std::map<std::string, SceneValue> given_parameters(lua_State* state, int index, const char* call) {
+  std::map<std::string, SceneValue> given;
+  each_given(state, index, call, [&](const std::string& name) {
+    require(name.find_first_of("=.") == std::string::npos, call, ": a parameter has no '=' or '.' in its name, got '",
+            name, "'");
+    given[name] = check_value(state, -1, call, text("parameter ", name));
+  });
+  return given;
+}
 
 void push_value(lua_State* state, const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value))
@@ -128,7 +154,7 @@ void apply_settings(Script& script) {
     const std::string &name = setting.first, &given = setting.second;
     if (!name.starts_with("scene.")) continue;
     const std::string field_name = name.substr(6);
-    const std::string what = text("--set ", name, "=", given, ": ");
+    const std::string what = text(script.options.set_by, name, "=", given, ": ");
     const auto& fields = scene_type().fields;
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == field_name; });
     std::vector<std::string> known;
@@ -153,7 +179,7 @@ void check_parameters_known(const Script& script) {
   for (const SceneParameter& p : script.parameters) names.push_back(p.name);
   for (const auto& [name, given] : script.options.set) {
     if (name.starts_with("scene.") || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw UsageError(text("--set ", name, "=", given, ": the scene has no parameter '", name, "'.",
+    throw UsageError(text(script.options.set_by, name, "=", given, ": the scene has no parameter '", name, "'.",
                           suggestion(name, names), names.empty() ? " It has none" : text(" It has ", joined(names))));
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <lua.hpp>
+#include <map>
 #include <string>
 
 #include "lua/thing/script.hpp"
@@ -12,6 +14,12 @@ void apply_settings(Script& script);
 void check_parameters_known(const Script& script);
 /// Calls the parameter's `on_change` with a new value; false where it has none.
 bool change_parameter(Script& script, const std::string& name, const SceneValue& value);
+/// Calls with the name of each parameter of a table that opens a scene, whose value is on the stack's top. Without a table
+/// with none.
+void each_given(lua_State* state, int index, const char* call,
+                const std::function<void(const std::string& name)>& take);
+/// The parameters of such a table.
+std::map<std::string, SceneValue> given_parameters(lua_State* state, int index, const char* call);
 void push_value(lua_State* state, const SceneValue& value);
 
 /// scene:param(name, default, { min, max, step, help, choices, on_change })

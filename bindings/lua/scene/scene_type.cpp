@@ -98,11 +98,18 @@ int scene_open(lua_State* state) {
   require(stays_inside(name) && lies_below(path, runtime.folder), "open: '", name,
           "' must be a file below the scene's folder");
   require(runtime.read(path, largest_source), "open: there is no file '", name, "' in the scene's folder");
-  require(self.script.next.empty() || self.script.next == path, "open: the next scene is ",
-          std::filesystem::path(self.script.next).filename().string(), " already");
-  self.script.next = path;
+  NextScene next{path, given_parameters(state, 3, "open"), where(state)};
+  const NextScene& chosen = self.script.next;
+  const std::string already = std::filesystem::path(chosen.path).filename().string();
+  require(chosen.path.empty() || chosen.path == path, "open: the next scene is ", already, " already");
+  require(chosen.path.empty() || chosen.parameters == next.parameters, "open: the next scene is ", already,
+          " already, with other parameters");
+  std::string with;
+  for (const auto& [parameter, value] : next.parameters)
+    with += text(with.empty() ? " with " : ", ", parameter, " = ", setting_text(value));
+  log_line(self.world, "notice", text(next.place, ": the next scene is ", name, with));
+  self.script.next = std::move(next);
   self.script.finished = true;
-  log_line(self.world, "notice", text(where(state), ": the next scene is ", name));
   return 0;
 }
 
@@ -328,11 +335,11 @@ std::vector<Method> playing() {
        "scene:on(\"touched\", block, function(touch) scene:sound(\"wood\", { volume = math.min(1, touch.speed / 5) }) "
        "end)\n"
        "scene:on(\"key\", \"x\", function() scene:sound(\"blip\", { pitch = 2 }) end)"},
-      {"open", guard<scene_open>, "file: string", "",
-       "Opens another scene of the scene's folder once the step is done. Without a window the run ends there, and the "
-       "log "
-       "tells it.",
-       "scene:when(function() return p.position.x > 10 end, function() scene:open(\"level2.lua\") end)"},
+      {"open", guard<scene_open>, "file: string, parameters?: table", "",
+       "Opens another scene of the scene's folder, or the same again, once the step is done, with values of its "
+       "parameters as --set gives them. Without a window the run ends there, and the log tells it.",
+       "local score = scene:param(\"score\", 0)\n"
+       "scene:on(\"key\", \"n\", function() scene:open(\"level2.lua\", { score = score + 1 }) end)"},
   };
 }
 

@@ -29,7 +29,7 @@ class ScriptScene final : public Scene {
   std::vector<std::string> controls() const override { return {script_.controls.begin(), script_.controls.end()}; }
   std::vector<std::string> behaviours() const override;
   std::span<const SoundCall> sounds() const override { return script_.sounds; }
-  std::string take_next() override { return std::exchange(script_.next, ""); }
+  NextScene take_next() override { return std::exchange(script_.next, {}); }
   const std::vector<std::string>& buttons() const override { return script_.buttons; }
   const std::map<std::string, SceneValue>& results() const override { return script_.results; }
   const std::string& broken_off() const override { return script_.runtime.broken_off; }

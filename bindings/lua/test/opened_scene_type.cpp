@@ -113,6 +113,14 @@ int restore_opened(lua_State* state) {
   return 0;
 }
 
+void push_next_parameters(const Self& s) {
+  lua_newtable(s.state);
+  for (const auto& [name, value] : s.script.next.parameters) {
+    push_value(s.state, value);
+    lua_setfield(s.state, -2, name.c_str());
+  }
+}
+
 Type make() {
   Type type{"OpenedScene", "opened scene", "A scene that a test opened.", {}, {}};
   type.fields.push_back({"finished", "boolean", "", "whether it called scene:finish()",
@@ -138,12 +146,14 @@ Type make() {
                          nullptr});
   type.fields.push_back({"next", "string?", "", "the file that it opened by scene:open",
                          [](const Self& s) {
-                           if (s.script.next.empty())
+                           if (s.script.next.path.empty())
                              lua_pushnil(s.state);
                            else
-                             lua_pushstring(s.state, s.script.next.c_str());
+                             lua_pushstring(s.state, s.script.next.path.c_str());
                          },
                          nullptr});
+  type.fields.push_back(
+      {"next_parameters", "table", "", "the parameters that it opened that file with", push_next_parameters, nullptr});
   type.methods = {
       {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time.", "opened:advance(0.5)"},
       {"step", guard<step_opened>, "", "", "Does one step.", "opened:step()"},

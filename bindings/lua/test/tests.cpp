@@ -5,6 +5,7 @@
 
 #include "lua/library/sandbox.hpp"
 #include "lua/scene/open.hpp"
+#include "lua/scene/parameters.hpp"
 #include "lua/scene/script_scene.hpp"
 #include "lua/test/expect.hpp"
 #include "lua/thing/fields.hpp"
@@ -58,17 +59,9 @@ std::string text_of_value(lua_State* state, int index, const std::string& name) 
 
 SceneOptions options_with(lua_State* state, int index, const SceneOptions& usual) {
   SceneOptions options = usual;
-  if (lua_isnoneornil(state, index)) return options;
-  require(lua_istable(state, index), "open: argument 2 must be a table of parameters, got ",
-          kind_of_value(state, index));
-  const KeysOfTable keys = keys_of(state, index);
-  require(keys.count == 0 && !keys.has_others, "open: names of parameters must be strings");
-  for (const std::string& name : keys.names) {
-    lua_pushlstring(state, name.data(), name.size());
-    lua_rawget(state, index);
-    options.set[name] = text_of_value(state, lua_gettop(state), name);
-    lua_pop(state, 1);
-  }
+  options.set_by = "open: ";
+  each_given(state, index, "open",
+             [&](const std::string& name) { options.set[name] = text_of_value(state, lua_gettop(state), name); });
   return options;
 }
 

@@ -49,7 +49,7 @@ struct ScriptData {
   CameraWish camera;
   bool dark = false;  ///< shown on a dark ground
   bool finished = false;
-  std::string next;            ///< scene to be opened when the step is done, or empty
+  NextScene next;              ///< to be opened when the step is done
   std::string contact_sounds;  ///< what touches is heard as: "", "by material", or a sound's name
 
   std::vector<SceneParameter> parameters;
