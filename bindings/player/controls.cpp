@@ -35,6 +35,10 @@ void tell(StepInput& waiting, const std::string& name, double known, double valu
   command.name = name;
   command.value = value;
   waiting.commands.push_back(command);
+  if (!of_pad(name) || known != 0.0) return;  // keys are told as the window hears them
+  command.kind = Command::Kind::key;
+  command.value = 0.0;
+  waiting.commands.push_back(command);
 }
 
 /// A stick of which the scene reads an axis, or its button, is no hand.

@@ -876,7 +876,7 @@ function Draw:point(at, options) end
 ---@field [string] boolean whether this key is held
 local HeldKeys = {}
 
----What is held of a gamepad: `left_x left_y right_x right_y` (-1 to 1, right and up > 0), `left_trigger right_trigger` (0 to 1); `a b x y left_shoulder right_shoulder left_stick right_stick start back up down left right` (true while held). Of several gamepads that which is pressed most counts, and with none all is at rest. What a script reads is the scene's: a stick of which it reads an axis is no hand.
+---What is held of a gamepad: `left_x left_y right_x right_y` (-1 to 1, right and up > 0), `left_trigger right_trigger` (0 to 1); `a b x y left_shoulder right_shoulder left_stick right_stick start back up down left right` (true while held). Of several gamepads that which is pressed most counts, and with none all is at rest. What a script reads is the scene's: a stick of which it reads an axis is no hand. When one is pressed `scene:on("key", "pad.a", f)` tells.
 ---@class Gamepad
 ---@field [string] number|boolean [1] of an axis or a button
 local Gamepad = {}
@@ -1370,7 +1370,7 @@ function Scene:when(condition, target_or_action, action, options) end
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" "key_up" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) and on("key_up", "x", action) take that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for, and of those that are let go the ones that the scene has taken. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, or the name of a layer.
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" "key_up" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) and on("key_up", "x", action) take that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for, and of those that are let go the ones that the scene has taken. Of a gamepad "pad.a" is a key, too. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, or the name of a layer.
 ---```lua
 ---scene:on("broke", function(thing, load, story) print(story) end)
 ---scene:on("key", "x", function() p:kick(vec(0, 1, 0)) end)
@@ -1472,6 +1472,7 @@ function Scene:open(file, parameters) end
 ---@field taken string keys and what of gamepads and the mouse it has read, which are its own (read only)
 ---@field next string? the file that it opened by scene:open (read only)
 ---@field next_parameters table the parameters that it opened that file with (read only)
+---@field saved Saved what it keeps for the next time, to be read and written (read only)
 local OpenedScene = {}
 ---Steps on for a time.
 ---```lua
@@ -1500,6 +1501,14 @@ function OpenedScene:hold(key, how_far) end
 ---```
 ---@param key string
 function OpenedScene:release(key) end
+---Presses a button of scene:button, in the next step.
+---```lua
+---local game = open_text [[ scene:button("start", function() scene:finish() end) ]]
+---game:press("start")
+---game:step()
+---```
+---@param button string
+function OpenedScene:press(button) end
 ---Points with the mouse from the next step on, until the next call.
 ---```lua
 ---opened:mouse { at = vec(1, 2, 0), left = true }
@@ -2623,11 +2632,13 @@ function expect(value) end
 ---Opens a scene of a file: of `scripts` or of the test's folder.
 ---```lua
 ---local chain = open("scenes/chain.lua", { links = 3, ["scene.step"] = 1 / 120 })
+---local again = open("scenes/chain.lua", nil, { best = 12 })
 ---```
 ---@param path string
 ---@param params? table<string, any> of the scene, as `--set` (default `{}`)
+---@param saved? table<string, number|boolean|string>|Saved what `scene.saved` begins with; `saved` of another opened scene is then of both, as of two plays (default `{}`)
 ---@return OpenedScene
-function open(path, params) end
+function open(path, params, saved) end
 ---Opens a scene of a text.
 ---```lua
 ---local falling = open_text [[ scene:particle { name = "stone" } ]]
@@ -2636,5 +2647,6 @@ function open(path, params) end
 ---```
 ---@param source string
 ---@param params? table<string, any> of the scene, as `--set` (default `{}`)
+---@param saved? table<string, number|boolean|string>|Saved as of `open`
 ---@return OpenedScene
-function open_text(source, params) end
+function open_text(source, params, saved) end

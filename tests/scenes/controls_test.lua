@@ -49,7 +49,7 @@ test("a key that is waited for must be one that there is, by any name of it", fu
   expect(waits_for "spcae"):fails(":2: keys: there is no key 'spcae'. Did you mean 'space'?")
   expect(waits_for "ctrl+delte"):fails("Did you mean 'delete'?")
   expect(waits_for "Space"):fails("there is no key 'Space'")
-  expect(waits_for "pad.a"):fails("there is no key 'pad.a'")
+  expect(waits_for "pad.k"):fails(":2: pad: unknown 'k'.")
 end)
 
 test("a gamepad's axes and buttons are at rest until they are held", function()
@@ -70,6 +70,103 @@ test("a gamepad's axes and buttons are at rest until they are held", function()
   scene:release("pad.left_x")
   scene:step()
   expect(scene:result("x")):equal(0)
+end)
+
+test("a gamepad's button that is pressed is told once, as a key is, and again once it was let go", function()
+  local scene = open_text [[
+    local down, up, any = 0, 0, ""
+    scene:on("key", "pad.a", function() down = down + 1 end)
+    scene:on("key_up", "pad.a", function() up = up + 1 end)
+    scene:on("key", function(name) any = any .. name .. " " end)
+    scene:on("step", function() scene:result("down", down) scene:result("up", up) scene:result("any", any) end)
+  ]]
+  local function told(down, up)
+    expect(scene:result("down")):equal(down)
+    expect(scene:result("up")):equal(up)
+  end
+  scene:hold("pad.a")
+  scene:hold("pad.right_trigger", 0.2)
+  for _ = 1, 3 do scene:step() end
+  told(1, 0)
+  scene:hold("pad.a")
+  scene:hold("pad.right_trigger", 0.9)
+  scene:step()
+  told(1, 0)
+  scene:release("pad.a")
+  scene:step()
+  told(1, 1)
+  scene:hold("pad.a")
+  scene:step()
+  told(2, 1)
+  expect(scene:result("any")):equal("pad.a pad.right_trigger pad.a ")
+  expect(scene.taken):equal("pad.a")
+end)
+
+test("a key that is held twice is pressed once", function()
+  local scene = open_text [[
+    local down = 0
+    scene:on("key", "j", function() down = down + 1 end)
+    scene:on("step", function() scene:result("down", down) end)
+  ]]
+  local function after_step() scene:step() return scene:result("down") end
+  scene:hold("j")
+  scene:hold("j")
+  expect(after_step()):equal(1)
+  scene:hold("j")
+  expect(after_step()):equal(1)
+  scene:release("j")
+  scene:hold("j")
+  scene:hold("j")
+  expect(after_step()):equal(2)
+  scene:hold("j", 0)
+  expect(after_step()):equal(2)
+  scene:hold("j")
+  expect(after_step()):equal(3)
+end)
+
+test("a test presses a button of the scene", function()
+  local scene = open_text [[
+    local pressed = 0
+    scene:button("more", function() pressed = pressed + 1 end)
+    scene:button("less", function() pressed = pressed - 1 end)
+    scene:on("step", function() scene:result("pressed", pressed) end)
+  ]]
+  scene:press("more")
+  scene:step()
+  expect(scene:result("pressed")):equal(1)
+  scene:step()
+  expect(scene:result("pressed")):equal(1)
+  scene:press("more")
+  scene:press("more")
+  scene:press("less")
+  scene:step()
+  expect(scene:result("pressed")):equal(2)
+  expect(function() scene:press("mor") end):fails("press: there is no button 'mor'. Did you mean 'more'? There are: more, less")
+  expect(function() open_text(""):press("more") end):fails("press: there is no button 'more'. There are none")
+end)
+
+test("a test reads and writes what a scene saves, before it and after", function()
+  local play = [[
+    scene.saved.plays = (scene.saved.plays or 0) + 1
+    scene:on("step", function() scene:result("best", scene.saved.best or 0) end)
+  ]]
+  local first = open_text(play)
+  expect(first.saved.plays):equal(1)
+  first.saved.best = 7
+  first:step()
+  expect(first:result("best")):equal(7)
+  expect(open_text(play).saved.best):equal(nil)
+  local later = open_text(play, nil, { plays = 3, best = 2.5 })
+  later:step()
+  expect(later.saved.plays):equal(4)
+  expect(later:result("best")):equal(2.5)
+  local again = open_text(play, {}, first.saved)
+  expect(again.saved.plays):equal(2)
+  expect(first.saved.plays):equal(2)
+  expect(function() first.saved.best = {} end):fails("saved: best must be a number, a boolean, a string or nil, got a table")
+  expect(function() open_text(play, nil, { best = {} }) end):fails("saved: best must be a number")
+  expect(function() open_text(play, nil, 3) end):fails("open_text: argument 3, what is saved, must be a table, got a number")
+  expect(function() open_text(play, nil, { 3 }) end):fails("argument 3, what is saved, must have names that are strings")
 end)
 
 test("what is held goes back with the state", function()
@@ -164,15 +261,15 @@ test("a scene opens another with parameters, which a test can open it with", fun
   expect(scene.log[#scene.log].text):equal('text.lua:2: the next scene is controls_test.lua with fast = true, name = Ann, score = 4')
   local level = 'scene:param("score", 0) scene:param("name", "") scene:param("fast", false)'
   open_text(level, scene.next_parameters)
-  expect(function() open_text('scene:param("scores", 0)', { score = 4 }) end):fails("open: score=4: the scene has no parameter 'score'. Did you mean 'scores'?")
+  expect(function() open_text('scene:param("scores", 0)', { score = 4 }) end):fails("open_text: score=4: the scene has no parameter 'score'. Did you mean 'scores'?")
 end)
 
 test("parameters that a scene is opened with are plain values by their names", function()
   local function fails(parameters, message)
     expect(function() open_text('scene:open("touch_test.lua", ' .. parameters .. ")") end):fails("text.lua:1: open: " .. message)
   end
-  fails("3", "argument 2 must be a table of parameters, got a number")
-  fails("{ 3 }", "names of parameters must be strings")
+  fails("3", "argument 2, the parameters, must be a table, got a number")
+  fails("{ 3 }", "argument 2, the parameters, must have names that are strings")
   fails("{ at = vec(0, 0, 0) }", "parameter at must be a number, true or false, or a string, got a vec")
   fails("{ x = 1 / 0 }", "parameter x must be a finite number, got infinity")
   fails('{ ["scene.step"] = 1 }', "a parameter has no '=' or '.' in its name, got 'scene.step'")

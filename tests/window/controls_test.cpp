@@ -86,7 +86,10 @@ TEST_CASE("controls: keys that were held are replayed to the bit", "[window]") {
 TEST_CASE("controls: a gamepad that is pulled out in play is at rest", "[window]") {
   pushed::no_screen();
   Played played(R"(
+    local pressed = 0
+    scene:on("key", "pad.start", function() pressed = pressed + 1 end)
     scene:on("step", function()
+      scene:result("pressed", pressed)
       scene:result("x", scene.pad.left_x) scene:result("y", scene.pad.left_y) scene:result("start", scene.pad.start)
     end))");
   SDL_VirtualJoystickDesc desc = {};
@@ -108,6 +111,7 @@ TEST_CASE("controls: a gamepad that is pulled out in play is at rest", "[window]
   CHECK(played.result("x") == -1.0);
   CHECK(played.result("y") == -1.0);  // up > 0
   CHECK(std::get<bool>(played.player->scene().results().at("start")));
+  CHECK(played.result("pressed") == 1.0);
   const std::uint64_t before = played.world().steps;
   SDL_JoystickDetachVirtual(index);
   played.frames(10);

@@ -281,11 +281,13 @@ function expect(value) end
 ---Opens a scene of a file: of `scripts` or of the test's folder.
 ---```lua
 ---local chain = open("scenes/chain.lua", { links = 3, ["scene.step"] = 1 / 120 })
+---local again = open("scenes/chain.lua", nil, { best = 12 })
 ---```
 ---@param path string
 ---@param params? table<string, any> of the scene, as `--set` (default `{}`)
+---@param saved? table<string, number|boolean|string>|Saved what `scene.saved` begins with; `saved` of another opened scene is then of both, as of two plays (default `{}`)
 ---@return OpenedScene
-function open(path, params) end
+function open(path, params, saved) end
 ---Opens a scene of a text.
 ---```lua
 ---local falling = open_text [[ scene:particle { name = "stone" } ]]
@@ -294,8 +296,9 @@ function open(path, params) end
 ---```
 ---@param source string
 ---@param params? table<string, any> of the scene, as `--set` (default `{}`)
+---@param saved? table<string, number|boolean|string>|Saved as of `open`
 ---@return OpenedScene
-function open_text(source, params) end
+function open_text(source, params, saved) end
 )";
 
 }  // namespace pantin::lua

@@ -124,7 +124,8 @@ const std::vector<ReferenceTasks> all = {
      {{"a test", {"test"}},
       {"open a scene and let it run", {"open", "open_text", "OpenedScene:advance", "OpenedScene:step"}},
       {"read its probes and results", {"OpenedScene:read", "OpenedScene:result"}},
-      {"hold keys", {"OpenedScene:hold", "OpenedScene:release"}},
+      {"hold keys, press buttons, point", {"OpenedScene:hold", "OpenedScene:press", "OpenedScene:mouse"}},
+      {"what it keeps for the next time, and opens next", {"OpenedScene.saved", "OpenedScene.next"}},
       {"expect something", {"expect", "Expectation:near", "Expectation:below", "Expectation:fails"}}}},
 };
 

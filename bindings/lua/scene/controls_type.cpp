@@ -88,7 +88,9 @@ const Type& gamepad_type() {
         "What is held of a gamepad: `left_x left_y right_x right_y` (-1 to 1, right and up > 0), `left_trigger "
         "right_trigger` (0 to 1); `a b x y left_shoulder right_shoulder left_stick right_stick start back up down "
         "left right` (true while held). Of several gamepads that which is pressed most counts, and with none all "
-        "is at rest. What a script reads is the scene's: a stick of which it reads an axis is no hand.",
+        "is at rest. What a script reads is the scene's: a stick of which it reads an axis is no hand. When one is "
+        "pressed "
+        "`scene:on(\"key\", \"pad.a\", f)` tells.",
         {},
         {}};
     made.more = read_pad;

@@ -14,6 +14,7 @@
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
+#include "scene/controls.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -276,7 +277,7 @@ int scene_on(lua_State* state) {
           " after it");
   if (!one_key) return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
   std::string key = check_text(state, 3, "on", "argument 2, the key,");
-  if (name == "key")
+  if (name == "key" && !key.starts_with(pad_prefix))
     key = check_key(key);
   else
     self.script.controls.insert(key = check_control(key));

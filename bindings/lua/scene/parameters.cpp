@@ -82,13 +82,12 @@ void push_setting(lua_State* state, const Field& field, const std::string& given
 
 }  // namespace
 
-void each_given(lua_State* state, int index, const char* call,
+void each_given(lua_State* state, int index, const char* call, const char* what,
                 const std::function<void(const std::string& name)>& take) {
   if (lua_isnoneornil(state, index)) return;
-  require(lua_istable(state, index), call, ": argument 2 must be a table of parameters, got ",
-          kind_of_value(state, index));
+  require(lua_istable(state, index), call, ": ", what, " must be a table, got ", kind_of_value(state, index));
   const KeysOfTable keys = keys_of(state, index);
-  require(keys.count == 0 && !keys.has_others, call, ": names of parameters must be strings");
+  require(keys.count == 0 && !keys.has_others, call, ": ", what, " must have names that are strings");
   for (const std::string& name : keys.names) {
     lua_pushlstring(state, name.data(), name.size());
     lua_rawget(state, index);
@@ -97,9 +96,11 @@ void each_given(lua_State* state, int index, const char* call,
   }
 }
 
+const char* const given_what = "argument 2, the parameters,";
+
 std::map<std::string, SceneValue> given_parameters(lua_State* state, int index, const char* call) {
   std::map<std::string, SceneValue> given;
-  each_given(state, index, call, [&](const std::string& name) {
+  each_given(state, index, call, given_what, [&](const std::string& name) {
     require(name.find_first_of("=.") == std::string::npos, call, ": a parameter has no '=' or '.' in its name, got '",
             name, "'");
     given[name] = check_value(state, -1, call, text("parameter ", name));

@@ -14,11 +14,11 @@ void apply_settings(Script& script);
 void check_parameters_known(const Script& script);
 /// Calls the parameter's `on_change` with a new value; false where it has none.
 bool change_parameter(Script& script, const std::string& name, const SceneValue& value);
-/// Calls with the name of each parameter of a table that opens a scene, whose value is on the stack's top. Without a table
-/// with none.
-void each_given(lua_State* state, int index, const char* call,
+/// Calls with each name of a table, whose value is on the stack's top. Without a table with none.
+void each_given(lua_State* state, int index, const char* call, const char* what,
                 const std::function<void(const std::string& name)>& take);
-/// The parameters of such a table.
+/// The parameters that a scene is opened with, as messages call their table.
+extern const char* const given_what;
 std::map<std::string, SceneValue> given_parameters(lua_State* state, int index, const char* call);
 void push_value(lua_State* state, const SceneValue& value);
 

@@ -1,4 +1,6 @@
 // `scene.saved`: what lasts from one play of a scene to the next.
+#include "lua/scene/saved_type.hpp"
+
 #include "lua/law/law_run.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/thing/fields.hpp"
@@ -42,18 +44,36 @@ SceneValue check_saved(lua_State* state, const char* name, int index) {
   return value;
 }
 
-bool write_saved(const Self& self, const char* name, int index) {
-  SavedValues& values = values_of(self.script);
+void save(lua_State* state, SavedValues& values, const char* name, int index) {
   const std::string key = name;
-  if (lua_isnil(self.state, index)) return values.erase(key), true;
-  SceneValue value = check_saved(self.state, name, index);
+  SceneValue value = check_saved(state, name, index);
   require(key.size() <= longest_name, "saved: a name may have at most ", longest_name, " bytes, got ", key.size());
   require(values.contains(key) || values.size() < most_values, "saved: there are ", most_values, " values already");
   values.insert_or_assign(key, std::move(value));
+}
+
+bool write_saved(const Self& self, const char* name, int index) {
+  SavedValues& values = values_of(self.script);
+  if (lua_isnil(self.state, index))
+    values.erase(name);
+  else
+    save(self.state, values, name, index);
   return true;
 }
 
 }  // namespace
+
+void give_saved(lua_State* state, int index, const char* call, SceneOptions& options) {
+  if (lua_isnoneornil(state, index)) return;
+  const Ref* other = to_ref(state, index);
+  if (other && other->kind == Kind::saved) {
+    options.saved = other->script->options.saved;
+    return;
+  }
+  options.saved = std::make_shared<SavedValues>();
+  each_given(state, index, call, "argument 3, what is saved,",
+             [&](const std::string& name) { save(state, *options.saved, name.c_str(), lua_gettop(state)); });
+}
 
 const Type& saved_type() {
   static const Type type = [] {

@@ -47,24 +47,48 @@ Command control_at(lua_State* state, const char* call) {
   return command;
 }
 
-/// A key that is pressed is told, too.
+/// How far it is held once what waits for the next step is done.
+double held(const World& world, const std::string& name) {
+  const std::vector<Command>& waiting = world.input.commands;
+  const auto last = std::find_if(waiting.rbegin(), waiting.rend(),
+                                 [&](const Command& c) { return c.kind == Command::Kind::control && c.name == name; });
+  if (last != waiting.rend()) return last->value;
+  const auto known = world.controls.find(name);
+  return known == world.controls.end() ? 0.0 : known->second;
+}
+
+/// What is pressed that was not is told, too.
 int hold_control(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "hold");
   Command command = control_at(state, "hold");
   command.value = lua_isnoneornil(state, 3) ? 1.0 : check_number(state, 3, "hold", "argument 2, how far,", "");
   require(command.value >= -1.0 && command.value <= 1.0, "hold: argument 2, how far, must be from -1 to 1, got ",
           command.value);
+  const bool is_pressed = command.value != 0.0 && held(self.world, command.name) == 0.0;
   std::vector<Command>& commands = self.world.input.commands;
   commands.push_back(command);
   command.kind = Command::Kind::key;
   command.value = 0.0;
-  if (!command.name.starts_with(pad_prefix)) commands.push_back(command);
+  if (is_pressed) commands.push_back(command);
   return 0;
 }
 
 int release_control(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "release");
   self.world.input.commands.push_back(control_at(state, "release"));
+  return 0;
+}
+
+int press_button(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "press");
+  Command command;
+  command.kind = Command::Kind::button;
+  command.name = check_text(state, 2, "press", "argument 1, the button,");
+  const std::vector<std::string>& names = self.script.buttons;
+  require(std::find(names.begin(), names.end(), command.name) != names.end(), "press: there is no button '",
+          command.name, "'.", suggestion(command.name, names), " There ",
+          names.empty() ? "are none" : "are: " + joined(names));
+  self.world.input.commands.push_back(command);
   return 0;
 }
 
@@ -154,6 +178,8 @@ Type make() {
                          nullptr});
   type.fields.push_back(
       {"next_parameters", "table", "", "the parameters that it opened that file with", push_next_parameters, nullptr});
+  type.fields.push_back({"saved", "Saved", "", "what it keeps for the next time, to be read and written",
+                         [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::saved, 1, 1, 1)); }, nullptr});
   type.methods = {
       {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time.", "opened:advance(0.5)"},
       {"step", guard<step_opened>, "", "", "Does one step.", "opened:step()"},
@@ -166,6 +192,10 @@ Type make() {
        "opened:hold(\"space\")\n"
        "opened:advance(0.1)\n"
        "opened:release(\"space\")"},
+      {"press", guard<press_button>, "button: string", "", "Presses a button of scene:button, in the next step.",
+       "local game = open_text [[ scene:button(\"start\", function() scene:finish() end) ]]\n"
+       "game:press(\"start\")\n"
+       "game:step()"},
       {"mouse", guard<point_mouse>, "options?: MouseOptions", "",
        "Points with the mouse from the next step on, until the next call.",
        "opened:mouse { at = vec(1, 2, 0), left = true }\n"

@@ -6,6 +6,7 @@
 #include "lua/library/sandbox.hpp"
 #include "lua/scene/open.hpp"
 #include "lua/scene/parameters.hpp"
+#include "lua/scene/saved_type.hpp"
 #include "lua/scene/script_scene.hpp"
 #include "lua/test/expect.hpp"
 #include "lua/thing/fields.hpp"
@@ -57,11 +58,12 @@ std::string text_of_value(lua_State* state, int index, const std::string& name) 
   return check_text(state, index, "open", text("parameter ", name));
 }
 
-SceneOptions options_with(lua_State* state, int index, const SceneOptions& usual) {
+SceneOptions options_with(lua_State* state, int index, const char* call, const SceneOptions& usual) {
   SceneOptions options = usual;
-  options.set_by = "open: ";
-  each_given(state, index, "open",
+  options.set_by = text(call, ": ");
+  each_given(state, index, call, given_what,
              [&](const std::string& name) { options.set[name] = text_of_value(state, lua_gettop(state), name); });
+  give_saved(state, index + 1, call, options);
   return options;
 }
 
@@ -75,9 +77,9 @@ void push_opened(lua_State* state, TestFile& file, std::unique_ptr<Scene> scene)
 
 int open_file(lua_State* state) {
   TestFile& file = file_of(state);
-  check_count(state, 2, "open");
+  check_count(state, 3, "open");
   const std::string name = check_text(state, 1, "open", "argument 1, the path,");
-  const SceneOptions options = options_with(state, 2, file.options);
+  const SceneOptions options = options_with(state, 2, "open", file.options);
   std::error_code error;
   std::string path = path_in(path_in(file.options.home, "scripts"), name);
   if (name.starts_with('/'))
@@ -90,9 +92,9 @@ int open_file(lua_State* state) {
 
 int open_source(lua_State* state) {
   TestFile& file = file_of(state);
-  check_count(state, 2, "open_text");
+  check_count(state, 3, "open_text");
   const std::string source = check_text(state, 1, "open_text", "argument 1");
-  const SceneOptions options = options_with(state, 2, file.options);
+  const SceneOptions options = options_with(state, 2, "open_text", file.options);
   push_opened(state, file, open_scene_text(source, "text.lua", file.runtime.folder, options));
   return 1;
 }
