@@ -50,8 +50,8 @@ test("more than an expectation, a test or an opened scene takes is refused", fun
   fails(function() expect(true):is_true("so") end, "is_true: takes no arguments, got 1")
   fails(function() expect(f):fails("a", "b") end, "fails: takes at most 1 argument, got 2")
   fails(function() test("a", f, 5) end, "test: takes at most 2 arguments, got 3")
-  fails(function() open("a.lua", {}, 5) end, "open: takes at most 2 arguments, got 3")
-  fails(function() open_text("", {}, 5) end, "open_text: takes at most 2 arguments, got 3")
+  fails(function() open("a.lua", {}, {}, 5) end, "open: takes at most 3 arguments, got 4")
+  fails(function() open_text("", {}, {}, 5) end, "open_text: takes at most 3 arguments, got 4")
   expect("a", nil):equal("a")
 end)
 
