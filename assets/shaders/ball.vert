@@ -1,11 +1,11 @@
 // A triangle that just covers the ball as the eye sees it.
 layout(location = 0) in vec4 ball;    // centre, radius
 layout(location = 1) in vec4 paint;   // colour, style
-layout(location = 2) in vec3 second;  // colour of the rim
+layout(location = 2) in vec4 second;  // colour of the rim, opacity
 out vec3 spot;
 flat out vec4 ball_of;
 flat out vec4 paint_of;
-flat out vec3 second_of;
+flat out vec4 second_of;
 void main() {
   vec2 corner = corner_of_triangle();
   vec3 c = ball.xyz;

@@ -1,11 +1,11 @@
 // A box round a capsule; its back faces are drawn, so the eye may be inside.
 layout(location = 0) in vec4 from;   // one end, radius
 layout(location = 1) in vec4 to;     // other end, style
-layout(location = 2) in vec3 paint;
+layout(location = 2) in vec4 paint;  // colour, opacity
 out vec3 spot;
 flat out vec4 from_of;
 flat out vec4 to_of;
-flat out vec3 paint_of;
+flat out vec4 paint_of;
 void main() {
   int bit = 1 << gl_VertexID;  // the corners of a box as one strip of 14
   vec3 side = vec3((0x287a & bit) != 0, (0x02af & bit) != 0, (0x31e3 & bit) != 0) * 2.0 - 1.0;

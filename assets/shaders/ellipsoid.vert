@@ -3,12 +3,12 @@ layout(location = 1) in vec3 axis_x;  // half axes
 layout(location = 2) in vec3 axis_y;  // the axis of the stripes
 layout(location = 3) in vec3 axis_z;
 layout(location = 4) in vec3 paint;
-layout(location = 5) in vec3 second;
+layout(location = 5) in vec4 second;  // and opacity
 out vec3 spot;
 flat out vec3 centre_of;
 flat out mat3 inward;  // to the space in which the ellipsoid is a ball of radius 1
 flat out vec3 paint_of;
-flat out vec3 second_of;
+flat out vec4 second_of;
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   float r2 = max(dot(axis_x, axis_x), max(dot(axis_y, axis_y), dot(axis_z, axis_z)));

@@ -2,6 +2,7 @@ in vec2 place;
 in vec3 spot;
 uniform vec3 normal;
 uniform vec3 paint;
+uniform float opacity;
 uniform vec2 from;      // where the middle is [squares]
 uniform float squares;  // in a unit
 uniform float reach;
@@ -21,5 +22,5 @@ void main() {
   vec2 at = place * squares * vec2(1.0, aspect) + from;
   vec3 color = lit * (aspect > 0.0 ? pictured(paint, texture(picture, vec2(at.x, -at.y)))
                                    : paint * mix(0.88, 1.0, checks(place * squares + from)));
-  result = vec4(shown(color), fade * fade);
+  result = vec4(shown(color), fade * fade * opacity);
 }

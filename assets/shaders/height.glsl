@@ -1,4 +1,5 @@
-// How high above the ground a line of light first meets something, by where it falls on the ground.
+// How high above the ground a line of light first meets something that is not seen through, by where it falls on the
+// ground.
 uniform float level;
 uniform vec3 light;
 vec2 fall(vec3 place) { return place.xz - light.xz * ((place.y - level) / light.y); }

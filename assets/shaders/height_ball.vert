@@ -1,4 +1,5 @@
 layout(location = 0) in vec4 ball;
+layout(location = 2) in vec4 second;  // its opacity at the end
 out vec3 off;  // from its centre, at its height
 flat out float radius;
 flat out float height;
@@ -8,5 +9,5 @@ void main() {
   off = vec3(at.x, 0.0, at.y);
   radius = ball.w;
   height = ball.y - level;
-  gl_Position = drawn(fall(ball.xyz) + at);
+  gl_Position = second.w < 1.0 ? vec4(2.0) : drawn(fall(ball.xyz) + at);
 }

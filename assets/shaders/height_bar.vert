@@ -1,5 +1,6 @@
 layout(location = 0) in vec4 from;
 layout(location = 1) in vec4 to;
+layout(location = 2) in vec4 paint;  // its opacity at the end
 out vec3 spot;  // on the ground, from one end
 flat out vec3 along_of;
 flat out vec2 bar;  // radius, height of that end
@@ -12,5 +13,5 @@ void main() {
   spot = vec3(at.x, level, at.y) - from.xyz;
   along_of = to.xyz - from.xyz;
   bar = vec2(from.w, from.y - level);
-  gl_Position = to.w > 0.5 ? vec4(2.0) : drawn(at);
+  gl_Position = to.w > 0.5 || paint.w < 1.0 ? vec4(2.0) : drawn(at);
 }

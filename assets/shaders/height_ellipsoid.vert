@@ -2,6 +2,7 @@ layout(location = 0) in vec3 centre;
 layout(location = 1) in vec3 axis_x;
 layout(location = 2) in vec3 axis_y;
 layout(location = 3) in vec3 axis_z;
+layout(location = 5) in vec4 second;  // its opacity at the end
 out vec3 off;  // from its centre, at its height
 flat out mat3 inward;
 flat out float height;
@@ -12,5 +13,5 @@ void main() {
   off = vec3(at.x, 0.0, at.y);
   inward = inverse(mat3(axis_x, axis_y, axis_z));
   height = centre.y - level;
-  gl_Position = drawn(fall(centre) + at);
+  gl_Position = second.w < 1.0 ? vec4(2.0) : drawn(fall(centre) + at);
 }

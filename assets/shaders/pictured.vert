@@ -1,10 +1,10 @@
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 paint;
+layout(location = 2) in vec4 paint;  // colour, opacity
 layout(location = 3) in vec2 at;  // on the picture
 out vec3 spot;
 out vec3 normal_at;
-out vec3 paint_at;
+out vec4 paint_at;
 out vec2 at_of;
 void main() {
   spot = place;

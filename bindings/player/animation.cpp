@@ -61,7 +61,7 @@ std::size_t Animation::mesh(const Key& look, Make make) {
 std::size_t Animation::ball(const Color& color) {
   const Key look = {
       particle, (std::uint64_t{std::bit_cast<std::uint32_t>(color.r)} << 32) | std::bit_cast<std::uint32_t>(color.g),
-      std::bit_cast<std::uint32_t>(color.b)};
+      (std::uint64_t{std::bit_cast<std::uint32_t>(color.b)} << 32) | std::bit_cast<std::uint32_t>(color.a)};
   return mesh(look, [&] { return ball_mesh(color); });
 }
 

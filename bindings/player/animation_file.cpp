@@ -105,7 +105,9 @@ class Animation::File {
     for (std::size_t i = 0; i < looks_.size(); i++)
       if (looks_[i].first == color && looks_[i].second == picture) return static_cast<int>(i);
     tinygltf::Material made;
-    made.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b), 1.0};
+    made.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
+                                                 static_cast<double>(color.a)};
+    if (color.a < 1.0f) made.alphaMode = "BLEND";
     if (picture) made.pbrMetallicRoughness.baseColorTexture.index = texture(picture);
     made.pbrMetallicRoughness.metallicFactor = 0.0;
     made.pbrMetallicRoughness.roughnessFactor = 0.6;

@@ -33,14 +33,16 @@ struct DrawListMaker::Eye {
   float radius(double r, Vec3 p, double least) const {
     return static_cast<float>(std::max(r / unit, least * pixel * std::max(dot(p - at, forward) / unit, 0.0)));
   }
-  void ball(DrawList& s, Vec3 p, double r, double least, Rgb color, DrawList::Style style, Rgb second) const {
+  void ball(DrawList& s, Vec3 p, double r, double least, Rgb color, DrawList::Style style, Rgb second,
+            float opacity = 1.0f) const {
     const float radius_of = radius(r, p, least);
-    s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second});
+    s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second, opacity});
     include(s, place(p), radius_of);
   }
-  void bar(DrawList& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
+  void bar(DrawList& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false,
+           float opacity = 1.0f) const {
     const float radius_of = radius(r, dot(a - at, forward) < dot(b - at, forward) ? a : b, least);
-    s.bars.push_back({place(a), radius_of, place(b), unlit ? 1.0f : 0.0f, color});
+    s.bars.push_back({place(a), radius_of, place(b), unlit ? 1.0f : 0.0f, color, opacity});
     if (unlit) return;
     include(s, place(a), radius_of);
     include(s, place(b), radius_of);

@@ -60,6 +60,7 @@ void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float le
   const float high = std::max(ellipsoid.at.y - level, 0.0f),
               soft = std::min(0.9f, 0.08f + 0.10f * high / std::max(l, 1e-9f));
   const auto at = [&](float angle, float part, float dark) {
+    dark *= ellipsoid.opacity;
     const float c = std::cos(angle) * part, d = std::sin(angle) * part;
     s.shades.push_back(
         {{ellipsoid.at.x + l * c, ellipsoid.at.y, ellipsoid.at.z + m * c + n * d}, {}, {dark, dark, dark}});
@@ -131,22 +132,22 @@ void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const Ti
   for (const Figure::Bar& b : figure.bars) {
     const Vec3 from = pose.to_world(b.from), to = pose.to_world(b.to);
     eye.bar(draw_list, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4),
-            shown(b.color));
+            shown(b.color), false, b.color.a);
   }
   for (const Figure::Ball& b : figure.balls)
-    eye.ball(draw_list, pose.to_world(b.at), b.radius, 1.0, shown(b.color), DrawList::plain, {});
+    eye.ball(draw_list, pose.to_world(b.at), b.radius, 1.0, shown(b.color), DrawList::plain, {}, b.color.a);
   for (const Figure::Ellipsoid& e : figure.ellipsoids) {
     const Mat3 axes = pose.R * e.axes;
     const Rgb color = shown(e.color), light = mix(color, linear(paper), 0.75f);
     const Float3 at = eye.place(pose.to_world(e.at));
-    draw_list.ellipsoids.push_back(
-        {at, floats(axes[0] / eye.unit), floats(axes[1] / eye.unit), floats(axes[2] / eye.unit), color, light});
+    draw_list.ellipsoids.push_back({at, floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
+                                    floats(axes[2] / eye.unit), color, light, e.color.a});
     const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
     include(draw_list, at, static_cast<float>(most / eye.unit));
     shade_ellipsoid(draw_list, draw_list.ellipsoids.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
   }
   for (const Figure::Corner& c : figure.corners) {
-    draw_list.corners.push_back({eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), shown(c.color)});
+    draw_list.corners.push_back({eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), shown(c.color), c.color.a});
     include(draw_list, draw_list.corners.back().at, 0.0f);
   }
   for (const Figure::Sheet& sheet : figure.sheets) draw_sheet(sheet, pose, tint, eye, stage, draw_list);
@@ -169,7 +170,7 @@ void DrawListMaker::draw_ground(const World& world, const Eye& eye, const Stage&
     const auto from = [&](Vec3 axis) { return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0)); };
     const bool level = axes[2][1] > 1.0 - 1e-9 && std::fabs(floor.middle[1] - stage.ground) <= 1e-6 * stage.size;
     draw_list.floors.push_back({eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]),
-                                linear(shape.color), from(axes[0]), from(axes[1]),
+                                linear(shape.color), shape.color.a, from(axes[0]), from(axes[1]),
                                 static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square),
                                 level, nullptr});
     if (shape.cover) cover_floor(draw_list, draw_list.floors.back(), *shape.cover, floor.middle, axes, eye.unit);
@@ -215,7 +216,7 @@ void DrawListMaker::draw_particles(const World& world, const Eye& eye, const Sta
     const bool own = particle.color && !(*particle.color == first.color);
     const Color shown = tints_.of_particle(s).of(own ? *particle.color : paper);
     eye.ball(draw_list, at, radius, std::min(3.8, 2.2 * joint / pixel), linear(shown), DrawList::hinge,
-             by_load(dark, load_of(world, particle)));
+             by_load(dark, load_of(world, particle)), shown.a);
   }
 }
 
@@ -233,7 +234,7 @@ void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, c
   if (followed && !(*followed > 0.0)) return;
   const double radius = followed ? *followed : drawn_radius(world, point, stage);
   const Look look = look_of(world, particle);
-  if (look == Look::ball) return eye.ball(draw_list, at, radius, 1.0, linear(color), DrawList::plain, {});
+  if (look == Look::ball) return eye.ball(draw_list, at, radius, 1.0, linear(color), DrawList::plain, {}, color.a);
   // What is thinner than a pixel is drawn as wide as one, and fainter.
   const double pixel = eye.pixel_at(at), least = std::max(radius, (look == Look::glow ? 1.2 : 0.8) * pixel);
   const double fainter = look == Look::glow ? (radius / least) * (radius / least) : radius / least;

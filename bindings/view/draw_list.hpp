@@ -18,7 +18,7 @@ struct Float3 {
 };
 
 /// What is to be drawn of a world, as rows of floats for the shaders: places relative to the eye in units of the camera's
-/// distance, linear colours.
+/// distance, linear colours. What has an opacity below 1 is drawn in a part of the pixels, or of their samples.
 struct DrawList {
   enum Style { plain = 0, hinge = 1 };  ///< of a ball; of a bar 1 is unlit
   struct Ball {
@@ -27,6 +27,7 @@ struct DrawList {
     Rgb color;
     float style;
     Rgb second;
+    float opacity = 1.0f;
   };
   struct Bar {
     Float3 from;
@@ -34,18 +35,22 @@ struct DrawList {
     Float3 to;
     float style;
     Rgb color;
+    float opacity = 1.0f;
   };
   struct Ellipsoid {
     Float3 at, x, y, z;
     Rgb color, second;
+    float opacity = 1.0f;
   };
   struct Corner {
     Float3 at, normal;
     Rgb color;
+    float opacity = 1.0f;
   };
   struct PictureCorner {
     Float3 at, normal;  ///< without a normal it is shown as the picture is, where that is opaque
     Rgb color;
+    float opacity;
     float u, v;
   };
   /// What shows one picture; globes have in `second` how many round them and down.
@@ -60,6 +65,7 @@ struct DrawList {
     Float3 middle, x, y;  ///< of length 1 along the squares
     Float3 normal;
     Rgb color;
+    float opacity;
     float from_x, from_y;  ///< where the middle is [squares]
     float reach;
     float squares;                           ///< in a unit

@@ -52,7 +52,7 @@ void DrawListMaker::draw_sheet(const Figure::Sheet& sheet, const Pose& pose, con
   DrawList::Sheet& to = draw_list.sheet_of(sheet.picture);
   for (const Figure::PictureCorner& c : sheet.corners) {
     to.corners.push_back(
-        {eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), linear(tint.of(c.color)), c.u, c.v});
+        {eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), linear(tint.of(c.color)), c.color.a, c.u, c.v});
     include(draw_list, to.corners.back().at, 0.0f);
   }
   for (const Figure::Globe& g : sheet.globes) {
@@ -62,7 +62,8 @@ void DrawListMaker::draw_sheet(const Figure::Sheet& sheet, const Pose& pose, con
                          floats(axes[1] / eye.unit),
                          floats(axes[2] / eye.unit),
                          linear(tint.of(g.shape.color)),
-                         {g.around, g.down, 0.0f}});
+                         {g.around, g.down, 0.0f},
+                         g.shape.color.a});
     include(draw_list, to.globes.back().at, static_cast<float>(norm(axes[0]) / eye.unit));
     shade_ellipsoid(draw_list, to.globes.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
   }
@@ -86,6 +87,7 @@ void DrawListMaker::draw_sprite(const World& world, const Cover& sprite, const P
       corners.push_back({eye.place(middle + half_right * right + half_up * up),
                          {},
                          linear(color),
+                         color.a,
                          right < 0.0 ? e.left : e.right,
                          up < 0.0 ? e.lower : e.upper});
       include(draw_list, corners.back().at, 0.0f);

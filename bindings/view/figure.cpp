@@ -187,7 +187,7 @@ const Figure& Figures::of(const World& world, BodyId id, const Stage& stage) {
     hash.add(point.position);
     hash.add(point.mass);
     hash.add(point.radius);
-    for (const float c : {point.color.r, point.color.g, point.color.b})
+    for (const float c : {point.color.r, point.color.g, point.color.b, point.color.a})
       hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
   }
   hash.add(std::uint64_t{reinterpret_cast<std::uintptr_t>(body.sprite.get())});

@@ -125,7 +125,7 @@ void add_to(Hash& hash, const Shape& shape) {
   hash.add(shape.at);
   for (const double part : {shape.orientation.w, shape.orientation.x, shape.orientation.y, shape.orientation.z})
     hash.add(part);
-  for (const float c : {shape.color.r, shape.color.g, shape.color.b})
+  for (const float c : {shape.color.r, shape.color.g, shape.color.b, shape.color.a})
     hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
   if (!shape.cover) return;
   hash.add(std::uint64_t{reinterpret_cast<std::uintptr_t>(shape.cover->picture.get())});

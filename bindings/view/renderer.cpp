@@ -38,7 +38,7 @@ Vec3 wide(float x, float y, float z) {
 }
 
 std::string edge_definitions(int samples) {
-  return text("const bool sampled = ", samples > 0 ? "true" : "false", ";\n");
+  return text("const bool sampled = ", samples > 0 ? "true" : "false", ";\nconst int samples = ", samples, ";\n");
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ struct Renderer::Parts {
   ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
       floor{"floor", {"common.glsl", "picture.glsl"}, text("const float corners = ", ground_corners, ".0;\n")}, shade;
-  FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, ellipsoids{{3, 3, 3, 3, 3, 3}, true},
-      corners{{3, 3, 3}, false}, shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
+  FloatRows balls{{4, 4, 4}, true}, bars{{4, 4, 4}, true}, ellipsoids{{3, 3, 3, 3, 3, 4}, true},
+      corners{{3, 3, 4}, false}, shades{{3, 3, 4}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
       nothing{{1}, false};
   Sheets sheets;
   Shadows shadows;
@@ -74,10 +74,12 @@ struct Renderer::Parts {
         pixels_high(pixels(h, scale)),
         samples(samples_wanted),
         target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, Target::Depth::kept),
-        ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
-        bar("bar", {"common.glsl", "edges.glsl", "capsule.glsl"}, edge_definitions(target->samples())),
-        ellipsoid("ellipsoid", {"common.glsl", "edges.glsl", "stripes.glsl"}, edge_definitions(target->samples())),
-        mesh("mesh", {"common.glsl"}, ""),
+        ball("ball", {"common.glsl", "edges.glsl", "opacity.glsl", "triangle.glsl"},
+             edge_definitions(target->samples())),
+        bar("bar", {"common.glsl", "edges.glsl", "opacity.glsl", "capsule.glsl"}, edge_definitions(target->samples())),
+        ellipsoid("ellipsoid", {"common.glsl", "edges.glsl", "opacity.glsl", "stripes.glsl"},
+                  edge_definitions(target->samples())),
+        mesh("mesh", {"common.glsl", "opacity.glsl"}, edge_definitions(target->samples())),
         glow("glow", {"common.glsl"}, light_definitions),
         streak("streak", {"common.glsl"}, light_definitions),
         shade("shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"},
@@ -255,12 +257,15 @@ void Renderer::Parts::draw_floors(const Camera& camera) {
     floor.set("along_y", wide(f.y.x, f.y.y, f.y.z));
     floor.set("normal", wide(f.normal.x, f.normal.y, f.normal.z));
     floor.set("paint", wide(f.color.r, f.color.g, f.color.b));
+    floor.set("opacity", f.opacity);
     floor.set("from", f.from_x, f.from_y);
     floor.set("squares", f.squares);
     floor.set("reach", f.reach);
+    glDepthMask(f.opacity < 1.0f ? GL_FALSE : GL_TRUE);
     floor.set("aspect", f.picture ? sheets.bind(*f.picture) : 0.0f);
     nothing.draw(floor, GL_TRIANGLE_FAN, ground_corners);
   }
+  glDepthMask(GL_TRUE);
   for (const int what : {GL_BLEND, GL_POLYGON_OFFSET_FILL, GL_DEPTH_TEST}) glDisable(static_cast<GLenum>(what));
 }
 

@@ -12,15 +12,15 @@ struct Sheets::Programs {
   ShaderProgram surface, globe;
 
   explicit Programs(const std::string& edges)
-      : surface("pictured", {"common.glsl", "edges.glsl", "picture.glsl"}, edges),
-        globe("ellipsoid", {"common.glsl", "edges.glsl", "picture.glsl", "globe.glsl"}, edges) {}
+      : surface("pictured", {"common.glsl", "edges.glsl", "opacity.glsl", "picture.glsl"}, edges),
+        globe("ellipsoid", {"common.glsl", "edges.glsl", "opacity.glsl", "picture.glsl", "globe.glsl"}, edges) {}
 };
 
 struct Sheets::Sheet {
   std::shared_ptr<const Picture> picture;
   Texture texture;
-  FloatRows corners{{3, 3, 3, 2}, false}, sprites{{3, 3, 3, 2}, false}, shades{{3, 3, 3, 2}, false},
-      globes{{3, 3, 3, 3, 3, 3}, true};
+  FloatRows corners{{3, 3, 4, 2}, false}, sprites{{3, 3, 4, 2}, false}, shades{{3, 3, 4, 2}, false},
+      globes{{3, 3, 3, 3, 3, 4}, true};
 };
 
 namespace {

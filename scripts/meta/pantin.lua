@@ -61,7 +61,7 @@ function quat_methods:rotate(v) end
 ---@return quat
 function quat_methods:inverse() end
 
----@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
+---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1; with an a below 1 it is seen through
 ---@alias Picture string|PictureOptions a file, which is once on each face, or a file and its width
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]

@@ -1,5 +1,6 @@
 #include "view/renderer.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +11,8 @@
 
 #include "base/check.hpp"
 #include "choreography/hands.hpp"
+#include "lua/scene/open.hpp"
+#include "support/sources.hpp"
 #include "view/draw_list.hpp"
 #include "view/gl.hpp"
 #include "view/window.hpp"
@@ -423,4 +426,56 @@ TEST_CASE("a picture without panels has the marks, and what is drawn after it is
   CHECK(early.covered(draw(world, camera)) > 1000);
   CHECK(all.covered(marked) > 50);
   CHECK(Still{renderer.read_pixels()}.covered(all) == 0);
+}
+
+namespace {
+
+constexpr int kinds = 6;
+
+/// A ball, a bar, a mesh, an ellipsoid, and, with pictures, a mesh and a sprite, of a color; as wide as high.
+Still things_of(const std::string& color, const Camera* from, Camera& seen, int samples) {
+  SceneOptions options;
+  options.home = sources::folder();
+  const auto scene = lua::open_scene_text("local color = " + color + R"(
+    scene.gravity, scene.plane = vec(0, 0, 0), "xy"
+    scene:particle { at = vec(0, 0, 0), radius = 0.5, color = color }
+    scene:capsule { at = vec(2, 0, 0), radius = 0.5, length = 1, color = color }
+    scene:box { at = vec(4, 0, 0), size = vec(1, 1, 1), color = color }
+    scene:ball { at = vec(6, 0, 0), radius = 0.5, color = color }
+    scene:box { at = vec(8, 0, 0), size = vec(1, 1, 1), color = color, picture = "crate.png" }
+    local birds = scene:family("birds", { sprite = { file = "beach_ball.png", width = 1 } })
+    scene:particle { at = vec(10, 0, 0), family = birds, color = color })",
+                                          "things.lua", ".", options);
+  seen = from ? *from : camera_of(scene->world());
+  return draw(scene->world(), seen, samples);
+}
+
+/// The mean of the channels about the middle of each thing.
+std::array<double, kinds> middles(const Still& still, const Camera& camera) {
+  std::array<double, kinds> sums{};
+  for (int kind = 0; kind < kinds; kind++) {
+    const auto [x, y] = pixel(camera, vec(2.0 * kind, 0, 0));
+    for (int i = -4; i < 4; i++)
+      for (int k = -4; k < 4; k++)
+        for (int c = 0; c < 3; c++) sums[static_cast<std::size_t>(kind)] += still.at(x + i, y + k, c) / 192.0;
+  }
+  return sums;
+}
+
+}  // namespace
+
+TEST_CASE("what is half opaque shows half of what is behind, of every sort, and what is clear all of it", "[window]") {
+  const int samples = GENERATE(0, 4);
+  const Window window("test", width, height, true);
+  Camera camera, same;
+  const auto full = middles(things_of("{ 0.2, 0, 0, 1 }", nullptr, camera, samples), camera);
+  const auto none = middles(things_of("{ 0.2, 0, 0, 0 }", &camera, same, samples), camera);
+  for (const double opacity : {0.25, 0.5, 0.75}) {
+    const auto part = middles(things_of(text("{ 0.2, 0, 0, ", opacity, " }"), &camera, same, samples), camera);
+    for (std::size_t kind = 0; kind < kinds; kind++) {
+      CAPTURE(samples, opacity, kind, full[kind], none[kind], part[kind]);
+      CHECK(none[kind] - full[kind] > 15.0);
+      CHECK((none[kind] - part[kind]) / (none[kind] - full[kind]) == Approx(opacity).margin(0.08));
+    }
+  }
 }
