@@ -4,7 +4,7 @@ scene.title, scene.duration = "Pinball", 60
 scene.plane = "xy"
 scene.step = 1 / 480
 scene.contact_sounds = true
-scene.camera = { at = vec(0, 4, 20), look_at = vec(0, 4, 0) }
+scene.camera = { at = vec(0, 3.5, 23), look_at = vec(0, 3.5, 0) }
 
 local middle, wood, lane = -0.36, "#7a4f2b", vec(2.68, 0.5, 0)
 local function wall(width, height, x, y) return shape.box(width, height, 1, { at = vec(x, y, 0), restitution = 0.4, color = wood }) end
