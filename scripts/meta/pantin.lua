@@ -81,7 +81,7 @@ function quat_methods:inverse() end
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
----@field a Particle|Body|Collider the one that the filter names, else a particle or body
+---@field a Particle|Body|Collider the one that the filter names, else a particle or body; `class` says which it is
 ---@field b Particle|Body|Collider the other
 ---@field at vec [m] where, the mean by impulse
 ---@field normal vec [1] from b to a
@@ -192,6 +192,7 @@ function quat_methods:inverse() end
 ---@field name string what messages and scene:find call it (default `""`)
 ---@field alive boolean whether it still exists (read only)
 ---@field data table a table of yours, which goes with the thing, and is there still while its end is told (default `{}`) (read only)
+---@field class string what it is, as it is called here: `if touch.b.class == "Collider" then … end` (read only)
 local AnyThing = {}
 ---Takes it out of the world.
 ---```lua

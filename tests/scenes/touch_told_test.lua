@@ -176,6 +176,41 @@ test("a ball on a floor is told with place, speed and impulse; a filter's thing 
   expect(scene:result "counts"):equal("2 1 2 1 2")
 end)
 
+test("what touches tells what it is, also once it is gone", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local sand = scene:family("sand", { solid = true, radius = 0.1, attributes = { kind = 3 } })
+    scene:floor { name = "floor" }
+    scene:ball { radius = 0.1, at = vec(0, 0.2, 0), velocity = vec(0, -1, 0), name = "ball" }
+    scene:particle { family = sand, at = vec(2, 0.2, 0), velocity = vec(0, -1, 0), name = "grain" }
+    local met = {}
+    scene:on("touched", function(touch)
+      for _, thing in ipairs { touch.a, touch.b } do
+        if thing.class ~= "Collider" then thing:remove() end
+        met[#met + 1] = thing.name .. " " .. thing.class
+      end
+      table.sort(met)
+      scene:result("met", table.concat(met, ", "))
+    end)
+  ]]
+  scene:advance(0.3)
+  expect(scene:result("met")):equal("ball Body, floor Collider, floor Collider, grain Particle")
+end)
+
+test("everything tells what it is", function()
+  local scene = open_text [[
+    local a, b = scene:body { points = { tip = vec(1, 0, 0) }, mass = 1, inertia = vec(1, 1, 1) }, scene:particle { at = vec(1, 0, 0) }
+    local names = {}
+    for _, thing in ipairs { a, a.tip, b, scene:hinge(a.tip, b), scene:group "g", scene:family("f", {}), scene:nail(a.tip), scene:emitter { at = vec(0, 0, 0), rate = 1 },
+                             scene:field(scene, force.drag { linear = 1 }), scene:on_path(a.tip, { vec(0, 0, 0), vec(1, 0, 0) }) } do
+      names[#names + 1] = thing.class
+    end
+    scene:result("names", table.concat(names, " "))
+  ]]
+  expect(scene:result("names")):equal("Body Point Particle Particle Group Family Nail Emitter Field OnPath")
+  expect(function() open_text [[scene:group("g").class = "Body"]] end):fails("class")
+end)
+
 test("a handler may remove what it is told of, and add more", function()
   local scene = open_text [[
     local floor = scene:floor {}

@@ -86,7 +86,7 @@ function quat_methods:inverse() end
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
----@field a Particle|Body|Collider the one that the filter names, else a particle or body
+---@field a Particle|Body|Collider the one that the filter names, else a particle or body; `class` says which it is
 ---@field b Particle|Body|Collider the other
 ---@field at vec [m] where, the mean by impulse
 ---@field normal vec [1] from b to a

@@ -25,6 +25,8 @@ void read_data(const Self& self) {
   push_data(self.state, self.ref);
 }
 
+void read_class(const Self& self) { lua_pushstring(self.state, type_of(self.ref.kind).name); }
+
 int remove_thing(lua_State* state) {
   const Ref* ref = to_ref(state, 1);
   require(ref, "remove: call it with a colon, thing:remove()");
@@ -42,6 +44,9 @@ const Type& any_thing_type() {
         {"data", "table", "",
          "a table of yours, which goes with the thing, and is there still while its end is told (default `{}`)",
          read_data, nullptr, true});
+    made.fields.push_back({"class", "string", "",
+                           "what it is, as it is called here: `if touch.b.class == \"Collider\" then … end`",
+                           read_class, nullptr, true});
     field_named(made, "name").read = read_name;
     made.methods = {{"remove", guard<remove_thing>, "", "", "Takes it out of the world.",
                      "scene:after(2, function() p:remove() end)"}};
