@@ -60,6 +60,22 @@ std::optional<std::string> energy_gone_wrong(const World& world) {
   return "the energy went wrong by more than a tenth of what the scene exchanges";
 }
 
+namespace {
+
+/// "body 'arm'", also of what is gone: "body 'arm' (removed at 1.5 s by scene.lua:12)"; where that is forgotten "a body
+/// that is gone".
+std::string name_of(const World& world, const AnyId& id) {
+  const std::string told = describe(world, id), was = " was ";
+  if (alive(world, id)) return told;
+  if (const auto at = told.find(was + "removed at "); at != std::string::npos)
+    return text(told.substr(0, at), " (", told.substr(at + was.size()), ")");
+  return std::holds_alternative<BodyId>(id)       ? "a body that is gone"
+         : std::holds_alternative<ParticleId>(id) ? "a particle that is gone"
+                                                  : "a shape that is gone";
+}
+
+}  // namespace
+
 std::optional<std::string> deep_overlap(const World& world) {
   const DeepestOverlap& deepest = world.contacts.deepest;
   if (deepest.part == 0.0) return {};
@@ -67,8 +83,8 @@ std::optional<std::string> deep_overlap(const World& world) {
   std::snprintf(how, sizeof how, "shapes overlapped by up to %.3g m, %.3g %% of the thinner: ", deepest.depth,
                 100.0 * deepest.part);
   std::snprintf(when, sizeof when, ", at %.4g s", deepest.time);
-  const auto name = [&](const AnyId& id) { return alive(world, id) ? describe(world, id) : "one that is gone"; };
-  return how + name(deepest.pair.a) + " and " + name(deepest.pair.b) + when;
+  const std::string a = name_of(world, deepest.pair.a), b = name_of(world, deepest.pair.b);
+  return text(how, a, " and ", a == b ? "another" : b, when);
 }
 
 std::optional<std::string> loosely_solved(const World& world) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "articulates/articulate.hpp"
@@ -41,25 +42,46 @@ OfLoosePoints measure_loose_points(const World& world) {
   return {sum, mass_position, std::isfinite(sum) && finite(unsound)};
 }
 
-/// Names the first thing whose new state is not finite; empty if all is well.
-std::string first_bad(const World& world, const OfLoosePoints& points) {
+/// The first thing whose new state is not finite; monostate if all is well.
+AnyId first_bad(const World& world, const OfLoosePoints& points) {
   for (std::size_t i = 0; !points.finite && i < world.loose_points.size(); i++) {
     const std::uint32_t slot = world.loose_points[i];
     const FreeMotion& m = world.free_motion[slot];
-    if (!sound(m.x, {}, norm2(m.v))) return describe(world, world.points.at_slot(slot).particle);
+    if (!sound(m.x, {}, norm2(m.v))) return world.points.at_slot(slot).particle;
   }
   for (std::uint32_t slot : world.loose_bodies) {
     const Motion& m = world.motion[slot];
-    if (!sound(m.x, m.q, kinetic_energy(m))) return describe(world, world.bodies.id_at(slot));
+    if (!sound(m.x, m.q, kinetic_energy(m))) return world.bodies.id_at(slot);
   }
   for (const auto& articulate : world.articulates) {
     if (articulate->totals.finite) continue;
     for (const Node& n : articulate->nodes)
       if (!sound(n.x0, n.q0, kinetic_energy(n)))
-        return n.is_body ? describe(world, world.bodies.id_at(n.slot))
-                         : describe(world, world.points.at_slot(n.slot).particle);
+        return n.is_body ? AnyId(world.bodies.id_at(n.slot)) : AnyId(world.points.at_slot(n.slot).particle);
   }
   return {};
+}
+
+/// What an act made of a thing at the start of the step that no step is short enough for; empty: nothing.
+std::string beyond_numbers(const World& world, const AnyId& thing) {
+  const double h = world.settings.step;
+  const auto told = [](const char* does, Vec3 what, const char* unit) {
+    return text(does, rounded(std::hypot(what[0], what[1], what[2])), unit, " and has an energy beyond all numbers");
+  };
+  const auto of = [&](double mass, Vec3 velocity, Vec3 push) {
+    const auto beyond = [&](Vec3 v) { return norm2(v) > 0.0 && !std::isfinite(mass * norm2(v)); };
+    if (beyond(velocity)) return told("it moves at ", velocity, " m/s");
+    return beyond(push * (h / mass)) ? told("it is pushed by ", push, " N") : "";
+  };
+  if (const auto* particle = std::get_if<ParticleId>(&thing)) {
+    const PointId point = world.particles[*particle].points[0];
+    return of(world.points[point].mass, velocity(world, point), world.points[point].force);
+  }
+  const Motion& m = world.motion_of(std::get<BodyId>(thing));
+  if (const std::string moved = of(m.mass, m.p / m.mass, m.force); !moved.empty()) return moved;
+  const auto beyond = [&](Vec3 angular) { return !std::isfinite(dot(angular, inverse_inertia(m) * angular)); };
+  if (beyond(m.angular)) return told("it turns with an angular momentum of ", m.angular, " kg m²/s");
+  return beyond(m.torque * h) ? told("it is twisted by ", m.torque, " N m") : "";
 }
 
 std::string last_act(const World& world) {
@@ -70,18 +92,21 @@ std::string last_act(const World& world) {
 /// Puts the last good state back, and tells the first law that gave a force, or the first thing whose state, is not
 /// finite; empty if all is well.
 std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double time) {
-  const std::string thing = first_bad(world, points);
+  const AnyId bad = first_bad(world, points);
+  const bool all_well = std::holds_alternative<std::monostate>(bad);
   const Forces* forces = world.forces.get();
   const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
-  if (thing.empty() && !energy_lost && world.trouble.empty()) return {};
+  if (all_well && !energy_lost && world.trouble.empty()) return {};
   put_back(world);
   for (const auto& articulate : world.articulates)
     if (std::exchange(articulate->stored, false)) take_back(*articulate, world);
-  if (thing.empty() && !energy_lost) return world.trouble;
+  if (all_well && !energy_lost) return world.trouble;
   if (std::string law = bad_force(world); !law.empty()) return law;
-  if (thing.empty()) return text("the energy of the laws is not a finite number", try_accuracy(world));
-  return text("the state of ", thing, " is no longer a finite number at ", time,
-              " s: forces or speeds are too large for a step of ", world.settings.step, " s", try_accuracy(world));
+  if (all_well) return text("the energy of the laws is not a finite number", try_accuracy(world));
+  const std::string what =
+      text("the state of ", describe(world, bad), " is no longer a finite number at ", time, " s: ");
+  if (const std::string beyond = beyond_numbers(world, bad); !beyond.empty()) return what + beyond;
+  return text(what, "forces or speeds are too large for a step of ", world.settings.step, " s", try_accuracy(world));
 }
 
 void end_pushes(World& world) {

@@ -88,6 +88,22 @@ scene:nail(lever.pivot)
   CHECK(summary["stats"]["unsolved_islands"] > 100);
   CHECK(summary["warnings"].size() == 1);
 
+  write_file(folder / "gone.lua", R"(
+local a = scene:box { size = 1, name = "a" }
+scene:ground { shape = shape.box { size = 1, name = "b" } }
+scene:at(0.5, function() a:remove() end)
+)");
+  CHECK_THAT(run("gone").out, Contains(": body 'a' (removed at 0.5 s by gone.lua:4) and ground 'b', at 0.004167 s\n"));
+  write_file(folder / "forgotten.lua", R"(
+local function two() return { scene:box { size = 1 }, scene:box { size = 1 } } end
+local first = two()
+scene:at(0.5, function()
+  for _, box in ipairs(first) do box:remove() end
+  for _, box in ipairs(two()) do box:remove() end
+end)
+)");
+  CHECK_THAT(run("forgotten").out, Contains(": a body that is gone and another, at 0.004167 s\n"));
+
   const Finished rest = run("rest");
   CHECK_THAT(rest.out, !Contains("overlapped") && !Contains("loosely"));
   CHECK(rest.err.empty());

@@ -36,6 +36,31 @@ test("bad input: a condition that errors is told with its line", function()
   expect(function() open_text("scene:when(function()\n return nil + 1 end, print)"):advance(0.1) end):fails "text.lua:2: "
 end)
 
+-- What an act can do to a thing so that no step is short enough.
+local boundless = {
+  ["box:kick(vec(1e200, 0, 0))"] = "the state of body 'box' is no longer a finite number at 0.104",
+  ["box.velocity = vec(0, 1e200, 0)"] = "s: it moves at 1e+200 m/s and has an energy beyond all numbers;",
+  ["grain:kick(vec(-1e200, 0, 0))"] = "it moves at 1e+200 m/s and has an energy",
+  ["tied:kick(vec(1e200, 0, 0))"] = "it moves at 1e+200 m/s and has an energy",
+  ["box.spin = vec(0, 0, 1e200)"] = "it turns with an angular momentum of 1.7e+199 kg m²/s and has",
+  ["box:twist(vec(0, 1e200, 0))"] = "it is twisted by 1e+200 N m and has an energy",
+  ["grain:push(vec(0, 0, 1e200))"] = "it is pushed by 1e+200 N and has an energy",
+  ["box:push(vec(0, 0, 1e200))"] = "it is pushed by 1e+200 N and has an energy",
+}
+
+for code, message in pairs(boundless) do
+  test("what is beyond all numbers is named: " .. code, function()
+    local scene = open_text([[
+      local box = scene:box { size = 1, mass = 1, at = vec(0, 2, 0), name = "box" }
+      local grain, tied = scene:particle { at = vec(3, 0, 0), mass = 1 }, scene:particle { at = vec(5, 0, 0), mass = 1 }
+      scene:rod(tied, vec(5, 1, 0))
+      scene:at(0.1, function()
+        ]] .. code .. " end)")
+    expect(function() scene:advance(0.2) end):fails(message)
+    expect(function() scene:advance(0.2) end):fails("the scene is stopped at its last good state; the last to act on the scene was text.lua:5, at 0.1 s")
+  end)
+end
+
 -- Functions of time whose result a constraint cannot keep, with the line where each begins.
 local kept = {
   ["rod: argument 3, the length: its result must be > 0 m, got 0"] = "scene:rod(a, b,\n f(1, 0))",
