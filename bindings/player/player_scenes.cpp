@@ -123,12 +123,12 @@ Camera Player::own_camera() const {
   return aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
 }
 
-/// Where something was done, that is an act, and undone. What is paused stays so, but for a failure.
+/// Where something was done, or opened, that is an act, and undone. What is paused stays so, but for a failure.
 void Player::restart() {
   const bool stays_paused = paused_ && failure_.empty();
   try {
     std::shared_ptr<Scene> fresh = load(path_, scene_options_);
-    if (acted_) replace("restart", "the scene starts again");
+    if (loses_by("restart")) replace("restart", "the scene starts again");
     adopt(std::move(fresh));
     if (recorder_) recorder_->restarted();
     paused_ = stays_paused;

@@ -109,7 +109,7 @@ TEST_CASE("a recording of the window with all tools, undo, parameters and restar
   recorded.frames(10);
   recorded.tap(SDLK_r);
   recorded.frames(10);
-  recorded.with_control(SDLK_z);  // the parameter: nothing was done before the restart
+  recorded.with_control(SDLK_z);
   recorded.frames(10);
   recorded.player->set_parameter("gravity", 2.0);
   recorded.tap(SDLK_r);

@@ -250,6 +250,14 @@ TEST_CASE("a state that is opened over what was built is undone, and the scene i
   CHECK(state_hash(session.world()) == built);
   session.with_control(SDLK_z, true);
   CHECK(state_hash(session.world()) == saved);
+  session.steps(3);
+  const std::uint64_t later = state_hash(session.world());
+  pushed::tap(SDLK_r);
+  session.frames(2);
+  CHECK(state_hash(session.world()) == saved);
+  session.with_control(SDLK_z);
+  CHECK(session.player->told() == "undo: restart; paused");
+  CHECK(state_hash(session.world()) == later);
   session.with_control(SDLK_z);
   CHECK(state_hash(session.world()) == built);
   std::filesystem::current_path(here);
