@@ -143,7 +143,7 @@ bool Player::take_over(const NextScene& next, const std::string& act) {
   SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   for (const auto& [name, value] : next.parameters) options.set[name] = setting_text(value);
-  if (!next.place.empty()) options.set_by = next.place + ": open: ";
+  options.set_by = next.place.empty() ? SceneOptions().set_by : next.place + ": open: ";
   std::unique_ptr<Scene> fresh;
   lasting_->write();
   std::shared_ptr<SavedFile> lasting = lasting_of(path);
