@@ -163,7 +163,8 @@ bool Player::take_over(const NextScene& next, const std::string& act) {
   path_ = path;
   scene_options_ = options;
   adopt(std::move(fresh));
-  if (recorder_) recorder_->opened({recorded_path(path_), scene_options_.set, lasting_->written()});
+  if (recorder_)
+    recorder_->opened({recorded_path(path_), scene_options_.set, lasting_->written(), scene_->world().settings.step});
   if (first && !options_.record.empty()) begin_recording();
   panels_.reset();
   paused_ = false;

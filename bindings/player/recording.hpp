@@ -12,7 +12,8 @@
 //   "keep", "restore"        the state was kept under a number, or one put back: undo and redo; one of a scene that another
 //                            took the place of is that scene again, as it was left
 //   "restart"                the scene was opened anew
-//   "open" and "set"         another scene was opened, or the same with other parameters; "saved" as in the first line
+//   "open" and "set"         another scene was opened, or the same with other parameters, and "step" [s] is as long as one
+//                            of its steps; "saved" as in the first line
 //   "file" and "content"     a file was read that was not, or was another
 //   "reload"                 the scene was opened anew, and went on where it was
 //   "failed"                 the coming step ended in an error
@@ -68,6 +69,7 @@ struct SceneOpened {
   std::string scene;                       ///< path, see `path_as_recorded`
   std::map<std::string, std::string> set;  ///< as RunOptions::set
   SavedValues saved = {};                  ///< what `scene.saved` began with
+  double step = 0.0;                       ///< [s]
 };
 struct FileFound {
   std::string path, content;

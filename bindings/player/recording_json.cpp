@@ -243,6 +243,7 @@ void write_opening(Json& line, const std::map<std::string, std::string>& set, co
 }
 void write(Json& line, const SceneOpened& opened) {
   line["open"] = letters_of(opened.scene);
+  line["step"] = opened.step;
   write_opening(line, opened.set, opened.saved);
 }
 void write(Json& line, const FileFound& file) {
@@ -301,6 +302,8 @@ RecordingHead read_head(const Json& line) {
 SceneOpened opened_of(const Json& line) {
   SceneOpened opened{bytes_of(line.at("open")), {}};
   read_opening(line, opened.set, opened.saved);
+  opened.step = line.at("step");
+  require(opened.step > 0.0, "a step of ", opened.step, " s is none");
   return opened;
 }
 

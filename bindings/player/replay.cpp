@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "choreography/commands.hpp"
@@ -50,10 +52,31 @@ Replay::Replay(Recording recording, const RunOptions& options, const std::string
 
 Replay::~Replay() = default;
 
+void Replay::find_stretches() {
+  stretches_ = {{0, 0.0, scene_->world().settings.step}};
+  for (const RecordedAct& act : recording_.acts)
+    if (const auto* opened = std::get_if<SceneOpened>(&act.what))
+      stretches_.push_back({act.tick, time_at(act.tick), opened->step});
+}
+
+double Replay::time_at(std::uint64_t tick) const {
+  const auto after = std::ranges::upper_bound(stretches_, tick, {}, &Stretch::tick);
+  const Stretch& s = *std::prev(after);
+  return s.time + static_cast<double>(tick - s.tick) * s.step;
+}
+
+std::uint64_t Replay::tick_at(double time) const {
+  const auto after = std::ranges::upper_bound(stretches_, std::max(time, 0.0), {}, &Stretch::time);
+  const Stretch& s = *std::prev(after);
+  return s.tick + static_cast<std::uint64_t>(std::llround((std::max(time, 0.0) - s.time) / s.step));
+}
+
 void Replay::start() {
   contents_ = std::make_shared<const std::map<std::string, std::string>>(recording_.head.files);
   open_other({recording_.head.scene, recording_.head.set, recording_.head.saved});
   place_ = 0;
+  earlier_ = 0.0;
+  if (stretches_.empty()) find_stretches();
   tick_ = 0;
   next_ = 0;
   astray_ = false;
@@ -64,6 +87,7 @@ void Replay::start() {
 }
 
 void Replay::open_other(const SceneOpened& opened) {
+  if (scene_) earlier_ += scene_->world().time;
   path_ = opened.scene;
   options_.set = opened.set;
   options_.saved = std::make_shared<SavedValues>(opened.saved);
@@ -110,8 +134,7 @@ void Replay::check(const StateCheck& check) {
     astray_ = true;
     return;
   } else if (mismatch_.empty()) {
-    mismatch_ = text("the replay parts from the recording between ", static_cast<double>(agreed_) * step_length(),
-                     " s and ", time(), " s");
+    mismatch_ = text("the replay parts from the recording between ", time_at(agreed_), " s and ", time(), " s");
   }
   judged_ = next_;
 }

@@ -31,9 +31,12 @@ class Replay {
   Scene& scene() { return *scene_; }
   std::uint64_t tick() const { return tick_; }  ///< steps done
   std::uint64_t ticks() const { return recording_.ticks; }
-  double step_length() const { return scene_->world().settings.step; }                       ///< [s]
-  double time() const { return static_cast<double>(tick_) * step_length(); }                 ///< [s] of the recording
-  double duration() const { return static_cast<double>(recording_.ticks) * step_length(); }  ///< [s] the same
+  double time_at(std::uint64_t tick) const;                      ///< [s] of the recording
+  std::uint64_t tick_at(double time) const;                      ///< the nearest
+  double time() const { return time_at(tick_); }                 ///< [s] of the recording
+  double duration() const { return time_at(recording_.ticks); }  ///< [s] the same
+  /// [s] Of this scene and those before it, as they tell it.
+  double played() const { return earlier_ + scene_->world().time; }
   std::uint64_t openings() const { return openings_; }  ///< how often `scene` has become another
   std::uint64_t place() const { return place_; }        ///< of the scene among those that were opened one after another
   const std::string& path() const { return path_; }     ///< of the scene
@@ -54,6 +57,13 @@ class Replay {
     std::shared_ptr<Scene> scene;
     std::shared_ptr<const SceneSnapshot> state;  ///< null where another scene took its place
   };
+  /// Of one scene.
+  struct Stretch {
+    std::uint64_t tick = 0;  ///< at which it begins
+    double time = 0.0;       ///< [s] the same
+    double step = 0.0;       ///< [s]
+  };
+  void find_stretches();
   void start();
   void open();
   void open_other(const SceneOpened& opened);
@@ -80,9 +90,11 @@ class Replay {
   std::shared_ptr<Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back
   std::map<std::uint64_t, Kept> kept_;
-  KeptPositions positions_;            ///< of the present scene
+  KeptPositions positions_;  ///< of the present scene
+  std::vector<Stretch> stretches_;
   std::vector<std::uint64_t> hashes_;  ///< (ticks) of states, as they were
   double since_position_ = 0.0;        ///< [s] of computing, since a place was kept or gone to
+  double earlier_ = 0.0;               ///< [s] of the scenes before this one
   double place_cost_ = 0.0;            ///< [s] of keeping the last
   std::size_t next_ = 0;               ///< act
   std::size_t judged_ = 0;             ///< acts whose hashes were compared

@@ -31,8 +31,7 @@ int replay_unseen(RunOptions options, const std::string& file, const std::string
   Progress progress(0.0);
   bool told = false;
   const auto past = [&] {
-    const World& world = replay.scene().world();
-    return options.until && world.time >= *options.until - 0.5 * world.settings.step;
+    return options.until && replay.played() >= *options.until - 0.5 * replay.scene().world().settings.step;
   };
   while (!Interrupt::asked() && !past() && replay.step()) {
     progress.show(replay.time(), replay.duration());

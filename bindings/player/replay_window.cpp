@@ -97,8 +97,7 @@ bool ReplayWindow::frame() {
   window_.present(renderer_);
   status_.frame(replay_.scene().world());
   std::this_thread::sleep_until(now + shortest_picture);
-  const World& world = replay_.scene().world();
-  return !(options_.until && world.time >= *options_.until - 0.5 * world.settings.step);
+  return !(options_.until && replay_.played() >= *options_.until - 0.5 * replay_.scene().world().settings.step);
 }
 
 void ReplayWindow::adopt() {
@@ -225,7 +224,7 @@ void ReplayWindow::fail(const std::string& why) {
 }
 
 std::string ReplayWindow::message() const {
-  if (target_) return text("going to ", static_cast<double>(*target_) * replay_.step_length(), " s");
+  if (target_) return text("going to ", replay_.time_at(*target_), " s");
   if (const std::string now = told(); !now.empty()) return now;
   return text("step ", replay_.tick(), " of ", replay_.ticks(), ", ", replay_.checked(), " hashes as recorded");
 }
@@ -294,14 +293,13 @@ void ReplayWindow::draw_remarks() {
 }
 
 void ReplayWindow::draw_slider(float width) {
-  const double step = replay_.step_length();
   const double from = 0.0, until = replay_.duration();
-  double at = static_cast<double>(target_.value_or(replay_.tick())) * step;
+  double at = replay_.time_at(target_.value_or(replay_.tick()));
   const std::string label = text("%.2f of ", std::round(100.0 * until) / 100.0, " s");
   ImGui::SetNextItemWidth(width - 2.0f * ImGui::GetStyle().WindowPadding.x);
   if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &at, &from, &until, label.c_str(),
                           ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp))
-    target_ = static_cast<std::uint64_t>(std::llround(at / step));
+    target_ = replay_.tick_at(at);
   scrubbing_ = ImGui::IsItemActive();
   draw_marks();
 }
@@ -313,8 +311,7 @@ void ReplayWindow::draw_marks() const {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float left = low.x + edge + 0.5f * grab, right = high.x - edge - 0.5f * grab;
   const auto place = [&](std::uint64_t tick) {
-    return left +
-           (right - left) * static_cast<float>(tick) / static_cast<float>(std::max<std::uint64_t>(1, replay_.ticks()));
+    return left + (right - left) * static_cast<float>(replay_.time_at(tick) / std::max(replay_.duration(), 1e-9));
   };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 done = ImGui::GetColorU32(ImGuiCol_Text, 0.6f);

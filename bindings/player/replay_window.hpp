@@ -28,6 +28,7 @@ class ReplayWindow {
   bool display_lost() const { return window_.lost(); }
   /// Where the recorded script failed, or a state could not be gone to, and nobody has gone elsewhere since.
   const std::string& failure() const { return failure_; }
+  bool shows(View view) const { return views_.on(view); }
   /// What a person was told last, while it is shown.
   std::string told() const;
 

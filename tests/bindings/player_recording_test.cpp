@@ -101,11 +101,13 @@ TEST_CASE("recording: it goes on over scenes that open each other, and one may g
   write_file(folder / "scene.lua", scene_text);
   write_file(folder / "next.lua",
              "local v = scene:param('v', 1) local stage = scene:param('stage', 'one')\n"
-             "scene.title = stage for i = 1, 3 do\n"
+             "scene.title, scene.step = stage, 1 / 480 for i = 1, 3 do\n"
              "scene:particle { at = vec(i, 0, 0), velocity = vec(0, v, math.random()) } end");
   RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+  double played = 0.0;
   const auto part = [&] {
     person.play(1.2);
+    played += person.world().time;
     return person.hash();
   };
   std::vector<std::uint64_t> hashes = {part()};
@@ -119,6 +121,13 @@ TEST_CASE("recording: it goes on over scenes that open each other, and one may g
   to_end(replay);
   CHECK(replay.mismatch() == "");
   CHECK(replay.checked() >= 3);
+  CHECK(replay.played() == Approx(played));
+  CHECK(replay.duration() == Approx(3.6));
+  for (const auto& [tick, time] :
+       {std::pair(144u, 0.6), std::pair(288u, 1.2), std::pair(528u, 1.7), std::pair(1440u, 3.6)}) {
+    CHECK(replay.time_at(tick) == Approx(time));
+    CHECK(replay.tick_at(time) == tick);
+  }
   const auto look = [&](std::uint64_t tick, std::size_t place, const std::string& title) {
     while (!replay.go_to(tick, 100)) {}
     CHECK(state_hash(replay.scene().world()) == hashes.at(place));
@@ -127,8 +136,8 @@ TEST_CASE("recording: it goes on over scenes that open each other, and one may g
     CHECK(replay.path() == folder / (place == 0 ? "scene.lua" : "next.lua"));
   };
   for (int i = 0; i < 2; i++) {
-    look(864, 2, "two");
-    look(576, 1, "one");
+    look(1440, 2, "two");
+    look(864, 1, "one");
     look(288, 0, "");
   }
   CHECK(replay.mismatch() == "");

@@ -111,7 +111,7 @@ class RecordedPerson {
     path_ = path;
     options_.set = set;
     scene_ = reload_.open(path_, options_, true);
-    recorder_->opened({player::path_as_recorded(path_, options_.home), set});
+    recorder_->opened({player::path_as_recorded(path_, options_.home), set, {}, world().settings.step});
   }
   void set(const std::string& name, double value) {
     options_.set[name] = to_text(value);

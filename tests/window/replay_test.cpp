@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "bindings/recorded_person.hpp"
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "player/replay_window.hpp"
@@ -126,6 +127,31 @@ TEST_CASE("replay in the window: it steps on and back, runs to its end, and star
   for (int i = 0; i < 8; i++) watched.tap(SDLK_MINUS);  // else one slow frame has all of it
   watched.tap(SDLK_SPACE);
   CHECK(watched.tick() < 480);
+}
+
+TEST_CASE("replay in the window: it goes over from scene to scene and back, and looks at each as that wants to be seen",
+          "[window]") {
+  const Folder folder;
+  const auto scene = [&](const std::string& name, const std::string& more) {
+    support::write_file(folder / name, "scene.title = '" + name + "' scene:particle { at = vec(9, 9, 9) }" + more);
+    return folder / name;
+  };
+  RecordedPerson person(scene("day.lua", ""), folder / "play.rec");
+  person.play(1.0);
+  person.open(scene("night.lua", "scene.dark, scene.step = true, 1 / 60"), {});
+  person.play(1.0);
+  person.finish();
+  Watched watched(folder / "play.rec");
+  const auto seen = [&](double part, const std::string& name) {
+    watched.scrub(part);
+    CHECK(watched.window->replay().time() == Approx(2.0 * part).margin(0.1));
+    CHECK(SDL_GetWindowTitle(SDL_GL_GetCurrentWindow()) == name + ", recorded - Pantin");
+    return watched.window->shows(View::dark);
+  };
+  CHECK_FALSE(seen(0.25, "day.lua"));
+  CHECK(seen(0.75, "night.lua"));
+  CHECK_FALSE(seen(0.4, "day.lua"));
+  CHECK(watched.window->replay().mismatch() == "");
 }
 
 TEST_CASE("replay in the window: hands and undo do nothing, and it is said why", "[window]") {
