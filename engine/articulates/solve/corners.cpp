@@ -185,11 +185,12 @@ void set_tangents(const Articulate& a, const std::vector<CornerTurn>& turns, dou
   for (const CornerTurn& t : turns) t.condition->turning = on_the_way(t.from, t.to, t.angle, part, a.plane);
 }
 
-/// Turns from one part (0 … 1) of the way to another: by halves where what is left across the tangent then has energy.
+/// Turns from one part (0 … 1) of the way to another: by halves, as long as some are left, where what is left across the tangent
+/// then has energy.
 void turn_between(Articulate& a, const DriftSettings& settings, double at, const std::vector<CornerTurn>& turns,
-                  double from, double to, int halvings, DriftReport& report) {
+                  double from, double to, int& halvings_left, DriftReport& report) {
   constexpr double most_lost = 1e-8;  // of the energy
-  constexpr int most_halvings_of_turn = 8;
+  constexpr double narrowest = 0.5e-3;
   const std::vector<Node> nodes = a.nodes;
   const std::vector<Vec3> exerted = a.exerted;
   const DriftReport told = report;
@@ -199,13 +200,15 @@ void turn_between(Articulate& a, const DriftSettings& settings, double at, const
   const double kinetic = kinetic_energy(a);
   set_tangents(a, turns, to);
   begin_part_at(a, settings, at, report);
-  if (symmetric_energy - a.symmetric_energy <= most_lost * kinetic || halvings == most_halvings_of_turn) return;
+  if (symmetric_energy - a.symmetric_energy <= most_lost * kinetic || to - from < narrowest || halvings_left == 0)
+    return;
+  halvings_left--;
   a.nodes = nodes;
   a.exerted = exerted;
   a.symmetric_energy = symmetric_energy;
   report = told;
-  turn_between(a, settings, at, turns, from, middle, halvings + 1, report);
-  turn_between(a, settings, at, turns, middle, to, halvings + 1, report);
+  turn_between(a, settings, at, turns, from, middle, halvings_left, report);
+  turn_between(a, settings, at, turns, middle, to, halvings_left, report);
 }
 
 /// Whether it would only go to and fro over its corner as long as the step is.
@@ -220,6 +223,7 @@ void turn_at_corners(Articulate& a, const DriftSettings& settings, double at, bo
   begin_part_at(a, settings, at, report);
   const std::vector<CornerTurn> turns = turns_of(a);
   double steps = 0.0;
+  int halvings_left = 60;
   for (const CornerTurn& t : turns) {
     Condition& c = *t.condition;
     c.returned = std::exchange(c.turned_at, t.corner) == t.corner;
@@ -227,7 +231,7 @@ void turn_at_corners(Articulate& a, const DriftSettings& settings, double at, bo
     steps = std::max(steps, std::ceil(t.angle / most_at_once));
   }
   for (double i = 0.0; i < steps && !last; i++)
-    turn_between(a, settings, at, turns, i / steps, (i + 1.0) / steps, 0, report);
+    turn_between(a, settings, at, turns, i / steps, (i + 1.0) / steps, halvings_left, report);
   for (const CornerTurn& t : turns) {
     Condition& c = *t.condition;
     c.turning = zero3();

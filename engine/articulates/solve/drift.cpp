@@ -141,10 +141,13 @@ std::optional<double> solve_to_corner(Articulate& a, const DriftSettings& settin
 
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report);
 
-/// Goes on round a sharp corner that it is at; what came back to it in this step stays there.
+/// Goes on round a sharp corner that it is at; what came back to it in this step stays there, and so does all once that took
+/// much.
 void go_round(Articulate& a, const DriftSettings& settings, const Part& part, double at, DriftReport& report) {
   constexpr int most_corners = 100;
-  turn_at_corners(a, settings, at, part.corners >= most_corners, report);
+  constexpr std::uint32_t most_factorisations = 200;
+  const bool took_much = part.corners >= most_corners || a.report.factorisations > most_factorisations;
+  turn_at_corners(a, settings, at, took_much, report);
   drift_part(a, settings, {at, part.to, part.end, part.depth, part.corners + 1}, report);
 }
 
