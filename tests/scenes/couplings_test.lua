@@ -168,3 +168,31 @@ test("couplings: what is drawn into a string or a pulley that is too short comes
   expect(scene:find("a").velocity:length()):below(1e-3)
   expect(scene.error.worst_energy):below(1e-5)
 end)
+
+test("gear, rack: a motor with a limit that turns wheels without load gives nothing", function()
+  for _, most in ipairs { 1e3, 1e9 } do
+    local scene = open_with([[
+      scene.gravity = vec(0, 0, 0)
+      scene.step = 1 / 60
+      a.spin, b.spin, q.velocity = -30 * z, 6 * z, vec(-3, 0, 0)
+      scene:gear(a, b, { ratio = -5, axis = z })
+      scene:slider(q, { axis = vec(1, 0, 0) })
+      scene:rack(b, q, { radius = 0.5, axis = z, along = -1 * vec(1, 0, 0) })
+      scene:motor(b, { axis = z, speed = 6, max_torque = ]] .. most .. [[, name = "motor" })
+    ]])
+    scene:advance(2)
+    expect(scene:find("motor").torque.z):near(0, 1e-6)
+    expect(scene.error.worst_energy):below(3e-3)
+  end
+end)
+
+test("gear: a motor at its limit speeds wheels up as one would that is held by nothing", function()
+  local scene = open_with [[
+    scene.gravity = vec(0, 0, 0)
+    scene:gear(a, b, { ratio = -2, axis = z })
+    scene:motor(a, { axis = z, speed = 1e5, max_torque = 30 })
+  ]]
+  scene:advance(2)
+  expect(scene:find("a").spin.z):near(30 * 2 / (0.2 + 0.4 / 4), 6)
+  expect(scene.error.worst_energy):below(5e-3)
+end)

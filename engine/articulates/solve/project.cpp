@@ -250,6 +250,13 @@ bool is_one_sided(const Articulate& a) {
                      [](const Condition& c) { return c.ranged || !std::isinf(c.upper); });
 }
 
+/// Whether there are stops, or a motor reaches its limit or leaves it: then none of the impulses is carried to the next step.
+bool may_let_go(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
+    return c.ranged || (!std::isinf(c.upper) && (c.held != c.held_before || c.gives_way));
+  });
+}
+
 /// Whether something prescribed moves: the drift goes past its velocity as far as the projection takes it back.
 bool is_driven(const Articulate& a) {
   return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; });
@@ -376,7 +383,7 @@ void project_articulate(Articulate& a, const DriftSettings& settings, DriftRepor
   }
   if (a.sums_impulses) add_impulses_exerted(a);
   const bool negligible = before.forbidden <= 1e-9 * speed;  // as small as what the solver leaves
-  if (a.smooth && !jumps && !a.weak && !negligible && !at_distance && !one_sided && !a.touches)
+  if (a.smooth && !jumps && !a.weak && !negligible && !at_distance && !may_let_go(a) && !a.touches)
     average_impulses(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
