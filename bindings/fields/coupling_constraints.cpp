@@ -1,4 +1,4 @@
-// Gear, rack, pulley and screw: values in a proportion.
+// Gear, rack, pulley and screw, values in a proportion; and what slides.
 #include "edit/coupling_constraints.hpp"
 #include "constraints/kind.hpp"
 #include "edit/constrain.hpp"
@@ -92,6 +92,49 @@ const Type& screw_type() {
            "anew"),
        turned("the angle of the first body against the second, since it was made, turns counted"), force_property(),
        torque_property()});
+  return type;
+}
+
+namespace {
+
+const CouplingData& slider_data(const World& world, ConstraintId id) {
+  return constraint_row(world, id).as<CouplingData>();
+}
+
+template <bool low>
+Property end_of_slider(const char* doc) {
+  return or_infinity(property<ConstraintId>(
+      low ? "min" : "max", "number", "m", doc,
+      [](const World& w, ConstraintId c) { return low ? constraint_row(w, c).low : constraint_row(w, c).high; },
+      [](World& w, ConstraintId c, double value) {
+        const Constraint& slider = constraint_row(w, c);
+        set_ends(w, c, low ? value : slider.low, low ? slider.high : value);
+      }));
+}
+
+}  // namespace
+
+const Type& slider_type() {
+  static const Type type = type_of_constraint(
+      "Slider", "slider", "Keeps a point on a line that goes with a body, or stays in the world.",
+      {property<ConstraintId>("point", "Point", "", "the point that slides",
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).a; }),
+       property<ConstraintId>("carrier", "Body?", "", "along which it slides, or nil for the world",
+                              [](const World& w, ConstraintId c) { return first(w, c).body_b; }),
+       property<ConstraintId>("slid", "number", "m", "how far it is along the axis now; 0 where it was made",
+                              [](const World& w, ConstraintId c) { return present_value(w, constraint_row(w, c)); }),
+       property<ConstraintId>(
+           "length", "number", "m",
+           "how far along the axis it is kept, or of one that slides freely is; written as a number or a function of "
+           "time [s] it is kept there from then on, and drawn to where that is",
+           [](const World& w, ConstraintId c) {
+             return slider_data(w, c).given ? constraint_row(w, c).number.now : present_value(w, constraint_row(w, c));
+           },
+           [](World& w, ConstraintId c, const OfTime<double>& given) {
+             set_length(w, c, now(w, given), function_of(given));
+           }),
+       end_of_slider<true>("least way along the axis; -math.huge: none"),
+       end_of_slider<false>("greatest way along the axis; math.huge: none"), force_property(), torque_property()});
   return type;
 }
 

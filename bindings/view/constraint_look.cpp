@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "constraints/slider.hpp"
 #include "model/path.hpp"
 #include "view/draw_list.hpp"
 
@@ -186,6 +187,19 @@ void draw_screw(const World& world, const Constraint& c, const Stage& stage, Con
   for (int i = 0; i < pieces; i++) look.lines.push_back({corner(i), corner(i + 1), 0.0, 1.0, true, false});
 }
 
+/// The line that its point slides along, as far as its ends.
+void draw_slider(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
+  const CoupledValue& v = c.coupled()[static_cast<std::size_t>(SliderValue::along)];
+  const Vec3 axis = v.body_b ? rotate(orientation(world, v.body_b), v.axis_b) : v.axis_b,
+             zero = v.body_b ? origin(world, v.body_b) + rotate(orientation(world, v.body_b), v.position) : v.position,
+             at = position(world, c.a);
+  const double slid = dot(at - zero, axis), open = 0.5 * stage.unit;
+  const double low = std::isfinite(c.low) ? c.low : slid - open, high = std::isfinite(c.high) ? c.high : slid + open;
+  look.lines.push_back({zero + axis * low, zero + axis * high, 0.0, 1.0, true, false});
+  for (const double end : {c.low, c.high})
+    if (std::isfinite(end)) look.knobs.push_back({zero + axis * end, 0.03 * stage.unit});
+}
+
 bool always(const Constraint&) { return true; }
 double none(const Constraint&) { return 0.0; }
 
@@ -213,6 +227,7 @@ const ConstraintDrawing gear_drawing = {"gear", "gears", draw_gear, always};
 const ConstraintDrawing rack_drawing = {"rack", "racks", draw_rack, always};
 const ConstraintDrawing pulley_drawing = {"pulley", "pulleys", draw_pulley, always};
 const ConstraintDrawing screw_drawing = {"screw", "screws", draw_screw, always};
+const ConstraintDrawing slider_drawing = {"slider", "sliders", draw_slider, always};
 
 const ConstraintDrawing& drawing_of(const Constraint& c) { return *drawings[static_cast<std::size_t>(c.kind)]; }
 

@@ -17,12 +17,6 @@ Vec3 end_of(const Model& model, const CoupledValue& v) {
   return v.body_b ? origin(model, v.body_b) + direction_of(model, v.body_b, v.position) : v.position;
 }
 
-double value_of(const Model& model, const CoupledValue& v) {
-  if (v.body_a) return v.angle;
-  const Vec3 d = position(model, v.point_a) - end_of(model, v);
-  return norm2(v.axis_b) > 0.0 ? dot(direction_of(model, v.body_b, v.axis_b), d) : norm(d);
-}
-
 /// Whether it cannot change: a distance in one body, since two were merged.
 bool is_fixed(const Model& model, const CoupledValue& v) {
   if (!v.point_a || !v.point_b || v.body_b) return false;
@@ -34,6 +28,12 @@ bool is_fixed(const Model& model, const CoupledValue& v) {
 
 const RowRule coupled_row = {
     .coupled = true, .read_turn = count_angle, .evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
+
+double value_of(const Model& model, const CoupledValue& v) {
+  if (v.body_a) return v.angle;
+  const Vec3 d = position(model, v.point_a) - end_of(model, v);
+  return norm2(v.axis_b) > 0.0 ? dot(direction_of(model, v.body_b, v.axis_b), d) : norm(d);
+}
 
 double weight_of(const Constraint& c, const CoupledValue& v) {
   return v.fixed + v.by_ratio * (0.5 * (c.number.previous + c.number.now));
@@ -79,19 +79,20 @@ double coupling_gap(const Model& model, const Constraint& c) {
   return (has_range(c) ? std::fmax(0.0, over) : std::fabs(over)) / most;
 }
 
+void add_coupled_rows(std::vector<RowPlan>& plans, const CoupledValue& v, std::uint32_t index) {
+  if (v.body_a) {
+    plans.push_back({&coupled_row, true, {}, {}, v.body_a, v.body_b, v.axis_a, v.axis_b, index});
+    return;
+  }
+  const BodyId second = v.point_b ? BodyId{} : v.body_b;
+  plans.push_back({&coupled_row, false, v.point_a, v.point_b, {}, second, zero3(), v.position, index});
+  if (v.body_b) plans.push_back({&coupled_row, true, {}, {}, v.body_b, {}, v.axis_b, zero3(), index});
+}
+
 std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& c) {
   std::vector<RowPlan> plans;
-  for (std::uint32_t i = 0; i < c.coupled().size(); i++) {
-    const CoupledValue& v = c.coupled()[i];
-    if (is_fixed(model, v)) continue;
-    if (v.body_a) {
-      plans.push_back({&coupled_row, true, {}, {}, v.body_a, v.body_b, v.axis_a, v.axis_b, i});
-      continue;
-    }
-    const BodyId second = v.point_b ? BodyId{} : v.body_b;
-    plans.push_back({&coupled_row, false, v.point_a, v.point_b, {}, second, zero3(), v.position, i});
-    if (v.body_b) plans.push_back({&coupled_row, true, {}, {}, v.body_b, {}, v.axis_b, zero3(), i});
-  }
+  for (std::uint32_t i = 0; i < c.coupled().size(); i++)
+    if (!is_fixed(model, c.coupled()[i])) add_coupled_rows(plans, c.coupled()[i], i);
   return plans;
 }
 
@@ -140,6 +141,7 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
 
 bool tells_force(const Model& model, const Condition& condition, const Row& row, const Constraint& c) {
   if (c.coupled().empty()) return true;
+  if (c.as<CouplingData>().apart) return !is_coupled(row);
   const CoupledValue& first = c.coupled()[0];
   const bool has_none = first.body_a || is_fixed(model, first);
   return !condition.turns_axis && (condition.index == 0 || (row.lever == 0.0 && has_none));
@@ -148,6 +150,13 @@ bool tells_force(const Model& model, const Condition& condition, const Row& row,
 void store_coupling(const Condition& condition, const Row& row, const Model& model, Vec3 force, Constraint& c) {
   CoupledValue& v = c.as<CouplingData>().values[condition.index];
   if (v.body_a) v.angle = condition.angle1;
+  if (c.as<CouplingData>().apart) {
+    if (condition.turns_axis) return;
+    v.force = force;
+    c.force = zero3();
+    for (const CoupledValue& one : c.coupled()) c.force += one.force;
+    return;
+  }
   if (!tells_force(model, condition, row, c)) return;
   if (row.lever > 0.0) {
     c.torque = force * row.lever;

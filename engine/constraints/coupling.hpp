@@ -7,6 +7,8 @@ namespace pantin {
 
 /// By how much a value counts now, in the middle of the coming step.
 double weight_of(const Constraint& constraint, const CoupledValue& value);
+/// What a value is now, [rad] or [m].
+double value_of(const Model& model, const CoupledValue& value);
 /// The sum of all, [rad] or [m].
 double coupled_sum(const Model& model, const Constraint& constraint);
 
@@ -19,6 +21,8 @@ void start_coupling(const Model& model, Constraint& constraint, double tolerance
 double coupling_gap(const Model& model, const Constraint& constraint);
 /// One row for each value.
 std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& constraint);
+/// The rows of one value, the `index`th.
+void add_coupled_rows(std::vector<RowPlan>& plans, const CoupledValue& value, std::uint32_t index);
 /// Of its angles, for scenes in a plane.
 std::vector<PlaneNeed> axes_of_coupling(const Model& model, const Constraint& constraint);
 /// After a change of the ratio, which was `before` in the middle of the last step: what was counted stays counted.

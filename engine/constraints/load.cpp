@@ -61,8 +61,13 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   const Constraint& c = model.constraints[condition.constraint];
   condition.ranged = has_range(c) && !is_drawn_in(c);
   condition.held_before = condition.held;
-  if (!c.coupled().empty()) return load_coupling(condition, row, model, c);
-  condition.driven = c.moves > 0 && (moves(c.position) || moves(c.number) || moves(c.turn));
+  const bool adds_up = is_coupled(row) && c.is<CouplingData>();
+  condition.driven = !adds_up && c.moves > 0 && (moves(c.position) || moves(c.number) || moves(c.turn));
+  if (adds_up) {
+    load_coupling(condition, row, model, c);
+    if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
+    return;
+  }
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.position.previous + c.attract.previous_away);
   condition.whole1 = model.plane.along(c.position.now + c.attract.away);
@@ -83,7 +88,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
 }
 
 void store(const Condition& condition, const Row& row, const Model& model, Vec3 force, Constraint& c) {
-  if (!c.coupled().empty()) return store_coupling(condition, row, model, force, c);
+  if (is_coupled(row) && c.is<CouplingData>()) return store_coupling(condition, row, model, force, c);
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     c.angle = condition.angle1;

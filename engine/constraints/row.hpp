@@ -79,6 +79,7 @@ struct Condition {
   bool returned = false;        // whether it came back there, and
   Vec3 turning = zero3();       // the tangent on the way round one; 0: that of the path
   std::uint32_t index = 0;      // which row of its constraint it is
+  std::uint32_t sum = 0;        // of a coupled row: which of the sums of its constraint it adds to
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;

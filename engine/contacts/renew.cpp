@@ -17,8 +17,8 @@ std::optional<std::uint32_t> thing_of(const Model& m, PointId id) {
   return solid_of(m, point) ? std::optional(point_thing(id.slot - 1)) : std::nullopt;
 }
 
-/// Things that do not collide: bodies that a hinge or a weld ties or a join draws together, points in a hinge or a join, points
-/// that a rod ties.
+/// Things that do not collide: bodies that a hinge, a weld or a slider ties or a join draws together, points in a hinge or a
+/// join, points that a rod ties.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_things(const Model& m) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const auto add = [&](PointId i, PointId j) {
@@ -41,6 +41,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_things(const Model& m)
       pairs.push_back(std::minmax(c.body_a.slot - 1, c.body_b.slot - 1));
     if (c.kind == ConstraintKind::join) add(c.a, c.b);
     if (m.solids && c.kind == ConstraintKind::rod && c.b && !m.points[c.a].body && !m.points[c.b].body) add(c.a, c.b);
+    if (c.kind != ConstraintKind::slider) continue;
+    const auto a = thing_of(m, c.a);
+    if (const BodyId carrier = c.coupled()[0].body_b; a && carrier) pairs.push_back(std::minmax(*a, carrier.slot - 1));
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

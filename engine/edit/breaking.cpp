@@ -65,6 +65,23 @@ void find_overloads_of_stars(const World& world, const Articulate& a, Overloads&
   }
 }
 
+/// Of sliders: what all their rows pull with together.
+void find_overloads_of_sliders(const World& world, const Articulate& a, Overloads& found) {
+  std::map<std::uint32_t, std::pair<ConstraintId, Vec3>> loads;  // by slot
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    if (!is_coupled(row) || row.lever > 0.0) continue;
+    const ConstraintId id = condition(a, row).constraint;
+    if (world.constraints[id].kind != ConstraintKind::slider) continue;
+    loads.try_emplace(id.slot, id, zero3()).first->second.second += exerted_force(a, k);
+  }
+  for (const auto& [slot, of] : loads) {
+    const double load = norm(of.second), borne = world.constraints[of.first].breaks_at.force;
+    note(found.constraints, {of.first, load, load / borne, text("its load of ", load, " N"), 0.0, load > leaps * borne},
+         load > borne);
+  }
+}
+
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
@@ -109,6 +126,7 @@ Overloads find_overloads(const World& world) {
     if (!articulate->breakable) continue;
     find_overloads(world, *articulate, found);
     find_overloads_of_stars(world, *articulate, found);
+    find_overloads_of_sliders(world, *articulate, found);
   }
   return found;
 }

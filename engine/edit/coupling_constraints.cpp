@@ -1,5 +1,6 @@
 #include "edit/coupling_constraints.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "constraints/coupling.hpp"
@@ -121,6 +122,62 @@ ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) 
   values[0].by_ratio = -1.0 / (2.0 * pi);
   count_along(world, values[1], second, axis);
   return add_coupling(world, ConstraintKind::screw, std::move(values), def.lead);
+}
+
+namespace {
+
+/// Two directions across one, along world axes where that is.
+std::pair<Vec3, Vec3> ways_across(Vec3 axis) {
+  int least = 2;
+  for (const int k : {1, 0})
+    if (std::fabs(axis[k]) < std::fabs(axis[least])) least = k;
+  Vec3 other = zero3();
+  other[least] = 1.0;
+  other = direction(other - axis * axis[least]);
+  return {cross(other, axis), other};
+}
+
+}  // namespace
+
+ConstraintId add_slider(World& world, PointId point, const SliderDef& def) {
+  const Vec3 axis = unit_vector("slider", "axis", def.axis);
+  require(!def.length || (std::isinf(def.min) && std::isinf(def.max)),
+          "slider: it either keeps a length or has ends, min and max");
+  CoupledValue value = distance(world, "slider", point, {{}, position(world, point)});
+  const auto [first, second] = ways_across(axis);
+  Constraint c;
+  c.kind = ConstraintKind::slider;
+  CouplingData data;
+  data.apart = true;
+  data.given = def.length.has_value();
+  for (const Vec3 way : {first, second, axis, axis, -axis}) {
+    data.values.push_back(value);
+    count_along(world, data.values.back(), def.carrier, way);
+  }
+  c.own = std::move(data);
+  c.a = point;
+  if (const BodyId body = world.points[point].body; body && !def.turns) {
+    require_turning(world, "slider", body);
+    if (def.carrier) require_turning(world, "slider", def.carrier);
+    c.body_a = body;
+    c.body_b = def.carrier;
+  }
+  c.number.now = def.length.value_or(0.0);
+  c.number.of_time = def.function;
+  c.low = def.min;
+  c.high = def.max;
+  c.time_constant = def.time_constant;
+  return add_constraint(world, std::move(c));
+}
+
+void set_ends(World& world, ConstraintId id, double min, double max) {
+  Constraint& c = of_kinds(world, id, {ConstraintKind::slider}, "ends");
+  require(!c.as<CouplingData>().given, describe(world, id), ": it keeps a length, and has no ends");
+  require(min < max, describe(world, id), ": min must be below max, got ", min, " and ", max, " m");
+  c.low = min;
+  c.high = max;
+  mark_edited(world, c);
+  start_constraint(world, c);
 }
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 // Couplings between two steps: values of two things in a fixed proportion. Every function checks its input and throws
 // Error, leaving the world as it was.
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "edit/constrain.hpp"
@@ -54,5 +55,20 @@ struct ScrewDef {
 /// A point moves along an axis through another's body by the lead for each turn of its own body against that one: how far it
 /// is along the axis counts, on both sides. Both must be of bodies; something else keeps them on the axis.
 ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def);
+
+struct SliderDef {
+  Vec3 axis = zero3();                     ///< world axes, of any length but 0; stays fixed in the carrier
+  BodyId carrier;                          ///< null: the world
+  bool turns = false;                      ///< the point's body may turn against the carrier
+  std::optional<double> length;            ///< [m] along the axis from here; not given: it slides
+  std::function<double(double)> function;  ///< of time [s], where that changes
+  double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();  ///< [m]
+  double time_constant = usual_time_constant;  ///< [s] > 0, in which it comes to where it is to be
+};
+/// A point stays on the line through it along an axis, which goes with the carrier.
+ConstraintId add_slider(World& world, PointId point, const SliderDef& def);
+
+/// Of a slider that keeps no length [m].
+void set_ends(World& world, ConstraintId slider, double min, double max);
 
 }  // namespace pantin

@@ -54,6 +54,8 @@ struct CoupledValue {
   double angle = 0.0;  ///< [rad] at the end of the last step, turns counted
   double fixed = 1.0;  ///< its weight, and
   double by_ratio = 0.0;  ///< what the coupling's ratio adds to that, times itself
+  double total = 0.0;     ///< [m] of a slider: what this value alone is kept at, or below
+  Vec3 force = zero3();   ///< [N] of a slider: on point_a in the last step
 };
 
 struct JoinProgress;
@@ -107,6 +109,7 @@ struct CouplingData {
   std::vector<CoupledValue> values;
   double total = 0.0;  ///< [rad] or [m] that they add up to
   bool given = false;  ///< that was told, else it is what they added up to when it was made
+  bool apart = false;  ///< they do not add up: each is kept by itself
 };
 
 struct Constraint {

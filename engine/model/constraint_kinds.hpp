@@ -17,4 +17,5 @@ CONSTRAINT_KIND(gear)      // one body turns in proportion to another
 CONSTRAINT_KIND(rack)      // a point moves along a line as far as the rim of a wheel turns
 CONSTRAINT_KIND(pulley)    // a rope over two anchors is at most so long
 CONSTRAINT_KIND(screw)     // a point moves along an axis in proportion to a turn about it
+CONSTRAINT_KIND(slider)    // a point stays on a line of a body, or of the world
 #undef CONSTRAINT_KIND

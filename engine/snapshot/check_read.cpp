@@ -6,6 +6,7 @@
 
 #include "articulates/articulate.hpp"
 #include "constraints/row_rule.hpp"
+#include "constraints/slider.hpp"
 #include "shapes/shape.hpp"
 
 namespace pantin {
@@ -102,6 +103,7 @@ void check_constraint(const World& w, const Constraint& c) {
     case ConstraintKind::gear:
     case ConstraintKind::rack:
     case ConstraintKind::screw: return sound_state(!c.coupled().empty());
+    case ConstraintKind::slider: return sound_state(c.coupled().size() == slider_values && c.a);
     default: return sound_state(c.is<std::monostate>());
   }
 }

@@ -185,7 +185,7 @@ function quat_methods:inverse() end
 ---@field label string where it was set
 ---@field target? string what it is done to
 
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Gear|Rack|Pulley|Screw|Group|Family|Connection|Interaction|Field|Emitter|Collider
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Gear|Rack|Pulley|Screw|Slider|Group|Family|Connection|Interaction|Field|Emitter|Collider
 
 ---What every thing has; it may be a target of events and behaviours, and a member of a group.
 ---@class AnyThing
@@ -556,6 +556,18 @@ local Pulley = {}
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
 local Screw = {}
+
+---Keeps a point on a line that goes with a body, or stays in the world.
+---@class Slider: AnyConstraint
+---@field point Point the point that slides (read only)
+---@field carrier Body? along which it slides, or nil for the world (read only)
+---@field slid number [m] how far it is along the axis now; 0 where it was made (read only)
+---@field length number [m] how far along the axis it is kept, or of one that slides freely is; written as a number or a function of time [s] it is kept there from then on, and drawn to where that is
+---@field min number [m] least way along the axis; -math.huge: none
+---@field max number [m] greatest way along the axis; math.huge: none
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+local Slider = {}
 
 ---A named set of things. It is gone when no member lives.
 ---@class Group: AnySet
@@ -1268,6 +1280,16 @@ function Scene:pulley(a, over_a, over_b, b, options) end
 ---@param options ScrewOptions
 ---@return Screw
 function Scene:screw(a, b, options) end
+---Keeps a point on the line through it along an axis, which goes with a body or, without one, stays in the world. The point's own body does not turn against that, unless it `turns`. The two do not touch.
+---```lua
+---local slider = scene:slider(block.points[1], arm, { axis = vec(1, 0, 0), min = 0, max = 0.5 })
+---scene:slider(p, { axis = vec(0, 1, 0), length = function(t) return 0.1 * math.sin(t) end })
+---```
+---@param point Point|Particle
+---@param carrier? Body|SliderOptions
+---@param options? SliderOptions
+---@return Slider
+function Scene:slider(point, carrier, options) end
 ---Ties two particles by a law; or a list of two, three or four.
 ---```lua
 ---local tie = scene:connect(p, q, spring, { name = "tie", length = 1 })
@@ -1909,6 +1931,13 @@ function OpenedScene:restore(snapshot) end
 ---@class ScrewOptions: ConstraintOptions
 ---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
 ---@field axis vec [1] world axes; it stays fixed in both bodies
+
+---@class SliderOptions: OrientOptions
+---@field axis vec [1] world axes; it stays fixed in the carrier
+---@field turns? boolean the point's body turns freely about it, as a pin in a slot (default `false`)
+---@field length? number|fun(t: number): number [m] how far along the axis it is kept, 0 where it is now (default none: it slides)
+---@field min? number [m] least way along the axis, 0 where it is now; not with a length (default `-math.huge`)
+---@field max? number [m] greatest way along the axis; not with a length (default `math.huge`)
 
 ---What shapes are made of, and what they touch.
 ---@class MaterialOptions

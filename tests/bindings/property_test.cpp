@@ -123,6 +123,14 @@ class Zoo {
     screw.lead.value = 0.1;
     const PointId a = world.bodies[body()].points[0], b = world.bodies[body()].points[0];
     things["Screw"] = add_screw(world, a, b, screw);
+    SliderDef slider;
+    slider.axis = vec(1, 0, 0);
+    slider.carrier = body();
+    slider.max = 3.0;
+    things["Slider"] = add_slider(world, world.bodies[body()].points[0], slider);
+    slider.max = infinity_;
+    slider.length = 0.5;
+    things["slider by length"] = add_slider(world, point(), slider);
   }
   void add_sets() {
     FamilyDef family;
@@ -209,7 +217,7 @@ Breaking loads_of(std::string_view thing) {
     return std::find(kinds.begin(), kinds.end(), thing) != kinds.end();
   };
   const bool turns = is_one_of({"Orient", "Align", "Motor", "motor by angle", "Limit", "Gear"});
-  const bool both = is_one_of({"Weld", "Rack", "Screw"});
+  const bool both = is_one_of({"Weld", "Rack", "Screw", "Slider", "slider by length"});
   return {turns ? infinity_ : 2.0, turns || both ? 3.0 : infinity_, turns ? infinity_ : 400.0};
 }
 
@@ -286,6 +294,9 @@ std::vector<Sample> samples_of_constraints() {
       {"Pulley", "ratio", 2.0},
       {"Pulley", "length", 40.0},
       {"Screw", "lead", -0.2},
+      {"Slider", "min", -0.5},
+      {"Slider", "max", 1.5},
+      {"slider by length", "length", 0.25},
       {"Motor", "max_torque", 30.0},
       {"Limit", "min", -0.5},
       {"Limit", "max", 1.5},

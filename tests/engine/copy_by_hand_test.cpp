@@ -112,6 +112,11 @@ BodyId add_all_kinds(World& world) {
   add_rack(world, links[6], tail(5), rack);
   add_pulley(world, head(6), {{}, vec(6, 3, 1)}, head(7), {{}, vec(7, 3, -1)}, {});
   add_screw(world, tail(6), head(7), {.axis = vec(1, 0, 0), .lead = {0.1, {}}});
+  SliderDef slider;
+  slider.axis = vec(1, 2, 0);
+  slider.carrier = links[6];
+  slider.turns = true;
+  add_slider(world, head(8), slider);
   add_orient(world, links[8], {Quat{0.8, 0.6, 0, 0}, {}});
   JoinDef join;
   join.max_force = 20.0;

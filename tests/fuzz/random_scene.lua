@@ -244,6 +244,8 @@ local function constraint()
     string.format("rack(%s, %s, { radius = %s, axis = %s, along = vec(1, 0, 0) })", a, p, number(0.2, 1), axis()),
     string.format("pulley(%s, %s, %s, %s, { ratio = %s })", p, vector(3), any_end(), q, number(0.5, 3)),
     string.format("screw(%s, %s, { lead = 0.1, axis = %s })", some "point", some "point", axis()),
+    string.format("slider(%s, %s, { axis = %s, turns = %s, min = -0.5, max = %s })", p, a, axis(), chance(0.5), number(0.1, 2)),
+    string.format("slider(%s, { axis = %s, length = %s })", p, axis(), of_time(1)),
   })
 end
 

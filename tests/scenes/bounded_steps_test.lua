@@ -81,6 +81,7 @@ local random_scene = [[
       function() scene:rack(body(), point(body()), { radius = 0.3, axis = some(1), along = some(1) }) end,
       function() scene:pulley(point(body()), some(2), some(2), point(body())) end,
       function() scene:join(point(body()), point(body()), { time_constant = 0.05 }) end,
+      function() scene:slider(point(body()), body(), { axis = some(1), max = random() }) end,
     }
     for _ = 1, 2 + random(6) do pcall(ties[random(#ties)]) end
   end

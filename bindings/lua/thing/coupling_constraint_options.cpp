@@ -1,4 +1,4 @@
-// scene:gear, rack, pulley and screw.
+// scene:gear, rack, pulley, screw and slider.
 #include "edit/coupling_constraints.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/targets.hpp"
@@ -71,6 +71,29 @@ int scene_screw(lua_State* state) {
   return finish(self, add_screw(self.world, a, b, def), o);
 }
 
+int scene_slider(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "slider");
+  const PointId point = check_point(state, 2, "slider", argument(1));
+  const bool has_carrier = !lua_istable(state, 3);
+  SliderDef def;
+  if (has_carrier && !lua_isnoneornil(state, 3)) def.carrier = check_body(state, 3, "slider", argument(2));
+  const Options o =
+      tie_options(state, has_carrier ? 4 : 3, "slider", {"axis", "turns", "length", "min", "max", "time_constant"});
+  require(o.has("axis"), "slider: axis must be given, a vec in world axes");
+  def.axis = *o.vector("axis", "");
+  def.turns = o.boolean("turns").value_or(false);
+  if (o.has("length")) {
+    NumberOrFunction given =
+        check_number_of_time(self, o.push("length"), "slider", "length", "m", ConstraintKind::slider);
+    def.length = given.value;
+    def.function = std::move(given.function);
+  }
+  def.min = o.number_or_infinity("min", "m").value_or(def.min);
+  def.max = o.number_or_infinity("max", "m").value_or(def.max);
+  read_time_constant(o, def);
+  return finish(self, add_slider(self.world, point, def), o);
+}
+
 }  // namespace
 
 const ConstraintCall gear_call = {
@@ -120,6 +143,22 @@ const ConstraintCall screw_call = {{"screw", guard<scene_screw>, "a: Point, b: P
                                    R"(---@class ScrewOptions: ConstraintOptions
 ---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
 ---@field axis vec [1] world axes; it stays fixed in both bodies
+)"};
+
+const ConstraintCall slider_call = {
+    {"slider", guard<scene_slider>, "point: Point|Particle, carrier?: Body|SliderOptions, options?: SliderOptions",
+     "Slider",
+     "Keeps a point on the line through it along an axis, which goes with a body or, without one, stays in the world. "
+     "The point's own body does not turn against that, unless it `turns`. The two do not touch.",
+     "local slider = scene:slider(block.points[1], arm, { axis = vec(1, 0, 0), min = 0, max = 0.5 })\n"
+     "scene:slider(p, { axis = vec(0, 1, 0), length = function(t) return 0.1 * math.sin(t) end })"},
+    "a point to a plane or to a path",
+    R"(---@class SliderOptions: OrientOptions
+---@field axis vec [1] world axes; it stays fixed in the carrier
+---@field turns? boolean the point's body turns freely about it, as a pin in a slot (default `false`)
+---@field length? number|fun(t: number): number [m] how far along the axis it is kept, 0 where it is now (default none: it slides)
+---@field min? number [m] least way along the axis, 0 where it is now; not with a length (default `-math.huge`)
+---@field max? number [m] greatest way along the axis; not with a length (default `math.huge`)
 )"};
 
 }  // namespace pantin::lua

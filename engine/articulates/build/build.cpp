@@ -10,6 +10,7 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"
+#include "constraints/slider.hpp"
 #include "constraints/stiff.hpp"
 
 namespace pantin {
@@ -84,9 +85,13 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
   }
   const Constraint& c = model.constraints[edge.constraint];
   condition.kept_value = c.number.now;
-  condition.turns_axis = edge.angular && !c.coupled().empty() && c.coupled()[edge.index].point_a;
-  condition.held = condition.held_before = !has_range(c) && !edge.rule->held_at_end && std::isinf(c.max_torque);
-  row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : c.force;
+  const CoupledValue* const value = edge.rule->coupled && !c.coupled().empty() ? &c.coupled()[edge.index] : nullptr;
+  const CoupledValue* const apart = value != nullptr && c.as<CouplingData>().apart ? value : nullptr;
+  condition.turns_axis = edge.angular && value != nullptr && value->point_a;
+  condition.sum = apart ? edge.index : 0;
+  condition.held = condition.held_before =
+      !(apart ? is_end_of_slider(c, edge.index) : has_range(c)) && !edge.rule->held_at_end && std::isinf(c.max_torque);
+  row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : apart ? apart->force : c.force;
   return condition;
 }
 

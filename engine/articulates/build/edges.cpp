@@ -18,7 +18,10 @@ class Finder {
     if (!t.is_body) return visit(model_.points.id_at(t.slot));
     const Body& body = model_.bodies.at_slot(t.slot);
     for (PointId point : body.points) visit(point);
-    for (ConstraintId id : body.constraints) add(id, model_.constraints[id].body_a == model_.bodies.id_at(t.slot));
+    for (ConstraintId id : body.constraints) {
+      const Constraint& c = model_.constraints[id];
+      add(id, !c.a && c.body_a == model_.bodies.id_at(t.slot));
+    }
   }
 
  private:

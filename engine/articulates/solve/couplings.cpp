@@ -209,9 +209,11 @@ void find_couplings(Articulate& a) {
   for (std::uint32_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
     if (!is_coupled(row)) continue;
-    const ConstraintId id = condition(a, row).constraint;
-    const auto same = std::find_if(a.couplings.begin(), a.couplings.end(),
-                                   [&](const Coupling& s) { return condition(a, a.rows[s.head]).constraint == id; });
+    const Condition& c = condition(a, row);
+    const auto same = std::find_if(a.couplings.begin(), a.couplings.end(), [&](const Coupling& s) {
+      const Condition& head = condition(a, a.rows[s.head]);
+      return head.constraint == c.constraint && head.sum == c.sum;
+    });
     if (same == a.couplings.end()) {
       a.couplings.push_back({k, {k}, {}, {}, {}});
       continue;
