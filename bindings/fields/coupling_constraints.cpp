@@ -64,8 +64,8 @@ const Type& pulley_type() {
        property<ConstraintId>("b", "Point", "", "the point at its second end",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        kept_property("ratio", "1",
-                     "how many times the second side counts, > 0; written as a number or a function of time [s]; "
-                     "a rope that then is too short attracts what it ties"),
+                     "how many times the second side counts, > 0; written as a number, after which a rope that is too "
+                     "short attracts what it ties, or as a function of time [s], with which its length goes"),
        property<ConstraintId>(
            "length", "number", "m",
            "the most that a's side and ratio times b's add up to; one that is too short attracts what it ties",

@@ -125,6 +125,7 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.value_rate = c.attract.excess_rate;
   condition.works_along_d = condition.ranged || condition.whole_value0 != condition.whole_value1;
   condition.bent = Bent::nothing;
+  condition.driven = condition.driven && c.as<CouplingData>().apart;  // a ratio that changes gives nothing
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = row.lever > 0.0 || v.body_b ? zero3() : model.plane.along(v.position);
   const Quat to_b = v.body_b ? conjugate(model.bodies[v.body_b].axes) : Quat{};

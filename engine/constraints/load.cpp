@@ -61,9 +61,8 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   const Constraint& c = model.constraints[condition.constraint];
   condition.ranged = has_range(c) && !is_drawn_in(c);
   condition.held_before = condition.held;
-  const bool adds_up = is_coupled(row) && c.is<CouplingData>();
-  condition.driven = !adds_up && c.moves > 0 && (moves(c.position) || moves(c.number) || moves(c.turn));
-  if (adds_up) {
+  condition.driven = c.moves > 0 && (moves(c.position) || moves(c.number) || moves(c.turn));
+  if (is_coupled(row) && c.is<CouplingData>()) {
     load_coupling(condition, row, model, c);
     if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
     return;

@@ -115,7 +115,6 @@ void load_along(Condition& condition, const Constraint& c) {
   condition.whole_value0 = c.number.previous + c.attract.previous_excess;
   condition.whole_value1 = c.number.now + c.attract.excess;
   condition.value_rate = c.number.rate + c.attract.excess_rate;
-  condition.driven = condition.whole_value0 != condition.whole_value1 || condition.value_rate != 0.0;
   condition.bent = c.bend.straight() ? Bent::nothing : Bent::value;
   condition.bend = c.bend;
 }
@@ -123,7 +122,8 @@ void load_along(Condition& condition, const Constraint& c) {
 void load(Condition& condition, const Row& row, const Model&, const Constraint& c) {
   condition.whole_value0 = condition.whole_value1 = condition.value_rate = 0.0;
   condition.bent = Bent::nothing;
-  condition.driven = false;
+  condition.driven =
+      condition.driven && is_coupled(row) && condition.index == static_cast<std::uint32_t>(SliderValue::along);
   if (!is_coupled(row)) return;
   switch (static_cast<SliderValue>(condition.index)) {
     case SliderValue::along: load_along(condition, c); break;

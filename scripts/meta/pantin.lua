@@ -542,7 +542,7 @@ local Rack = {}
 ---@class Pulley: AnyConstraint
 ---@field a Point the point at its first end (read only)
 ---@field b Point the point at its second end (read only)
----@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s]; a rope that then is too short attracts what it ties
+---@field ratio number [1] how many times the second side counts, > 0; written as a number, after which a rope that is too short attracts what it ties, or as a function of time [s], with which its length goes
 ---@field length number [m] the most that a's side and ratio times b's add up to; one that is too short attracts what it ties
 ---@field force number [N] tension of a's side in the last step, 0 where it is slack (read only)
 local Pulley = {}

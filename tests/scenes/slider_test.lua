@@ -106,6 +106,17 @@ test("slider: a length as a function of time lifts, and tells the force that it 
   expect(scene.error.energy):below(1e-6)
 end)
 
+test("slider: a length that jumps takes back as much work as it gave", function()
+  local scene = open_with [[
+    scene.gravity = vec(0, 0, 0)
+    local a, b = block("a", vec(0, 0, 0)), block("b", vec(1, 0, 0))
+    scene:slider(a.middle, b, { axis = x, length = function(t) return t > 1 and 0.02 or 0 end })
+  ]]
+  scene:advance(2)
+  expect(scene.energy.kinetic):near(0, 1e-9)
+  expect(scene.error.worst_energy):below(1e-6)
+end)
+
 test("slider: a length that is written draws it there, and one that slid is kept from then on", function()
   local scene = open_with [[
     scene.gravity = vec(0, 0, 0)
