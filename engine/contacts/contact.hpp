@@ -68,17 +68,18 @@ struct Contact {
 
 /// An impulse that was given before a drift.
 struct Placing {
-  std::uint32_t body_a;   ///< thing
-  std::int32_t body_b;    ///< thing, or -1: the world
-  std::uint32_t shape_b;  ///< slot
-  Vec3 impulse;           ///< [N s] on a
-  Vec3 moment;            ///< [N m s] on a, of rolling and spinning
-  Vec3 arm_a, arm_b;      ///< [m] then, world axes
-  Vec3 normal;            ///< then
-  bool foreseen;          ///< its contact was: taken back as it was given
-  Vec3 turned;            ///< [N m s] by how much it changed the angular momentum of both, where it was foreseen
-  std::int32_t a, b;      ///< the bodies in their island; -1: the world
-  Vec3 core_a = zero3();  ///< [m] arm to what turns with a, then: of what is round not to its surface
+  std::uint32_t body_a;    ///< thing
+  std::int32_t body_b;     ///< thing, or -1: the world
+  std::uint32_t shape_b;   ///< slot
+  Vec3 impulse;            ///< [N s] on a
+  Vec3 moment;             ///< [N m s] on a, of rolling and spinning
+  Vec3 arm_a, arm_b;       ///< [m] then, world axes
+  Vec3 normal;             ///< then
+  bool foreseen;           ///< its contact was: taken back as it was given
+  Vec3 turned;             ///< [N m s] by how much it changed the angular momentum of both, where it was foreseen
+  std::int32_t a, b;       ///< the bodies in their island; -1: the world
+  Vec3 core_a = zero3();   ///< [m] arm to what turns with a, then: of what is round not to its surface
+  bool rolled_on = false;  ///< the two roll on to its contact in the drift: taken back as it was given
 };
 
 /// What touch does around each drift, with a search of its own.
@@ -149,6 +150,7 @@ struct Contacts {
   std::vector<Contact> sensed;      ///< by key: those of sensors, which no pass knows
   std::vector<TouchedBody> bodies;  ///< (slots of bodies)
   std::vector<TouchedBody> points;  ///< (slots of points) of those that are solid; they sleep in no touch
+  double drift = 0.0;               ///< [s] length of the last one: in it contacts gave their `total`
   double work = 0.0;                ///< [J] done by `place`, with what ties answered: told with the rest of the step
   std::vector<Contact> resting;     ///< by key: between things of which none is awake. They are in no other list,
   std::vector<Contact> resting_sensed;  ///< nor are those of sensors

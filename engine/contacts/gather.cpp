@@ -199,6 +199,7 @@ void TouchIsland::clear() {
   held.clear();
   pulls.clear();
   placed.clear();
+  rolled.clear();
   missed = solved = false;
   given.clear();
   answered = {};

@@ -33,6 +33,13 @@ struct TouchScalar {
   double given = 0.0;  ///< [N s]
 };
 
+/// What bore as a drift began, of a shape that rolls on to another point of the same one of the world in it: what it gives until
+/// then.
+struct RolledOff {
+  ContactKey from;
+  Placing given;
+};
+
 /// Where the parts of an island's problem come from.
 struct TouchIsland {
   ContactIsland problem;
@@ -45,6 +52,7 @@ struct TouchIsland {
   std::vector<TouchScalar> scalars;                ///< (scalars)
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<Placing> placed;                     ///< what `place` gave in it
+  std::vector<RolledOff> rolled;                   ///< taken for given if it touches no more after the drift
   std::size_t first_placed = 0;                    ///< number of the first of that in the pass
   bool missed = false;                             ///< the law, by more than 100 tolerances
   bool solved = false;  ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now

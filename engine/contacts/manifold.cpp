@@ -6,77 +6,20 @@
 #include <vector>
 
 #include "base/functions.hpp"
-#include "contacts/manifold_parts.hpp"
+#include "contacts/manifold_pair.hpp"
+#include "shapes/core.hpp"
 #include "shapes/hull.hpp"
 
 namespace pantin {
 
 namespace {
 
-/// Part of the thickness by which shapes may overlap where one passes over the other: more than is left of what was pushed out;
-/// of two balls, which have no seams.
-constexpr double passing_overlap = 5e-4, passing_overlap_of_balls = 1e-8;
 /// Part of the thickness below which nothing nears.
 constexpr double no_approach = 1e-6;
-/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met: of what flew free or rebounds,
-/// which else ends as fast as it is turned too far; in heaps, where many hold each other, no such blow is told from others.
-constexpr double least_blow = 2e-4, least_blow_in_heaps = 0.02;
-/// [rad] past which a turn is not foreseen.
-constexpr double most_turn = 0.5;
-/// Part of the cosine up to which two normals are the same.
-constexpr double same_normal = 1e-8;
 constexpr int most_rounds = 30;
-
-struct Pair {
-  const Geometry& a;
-  const Pose& at_a;
-  const Geometry& b;
-  const Pose& at_b;
-  Ahead ahead;
-  double thickness;  ///< [m]
-  double overlap() const { return (are_balls() ? passing_overlap_of_balls : passing_overlap) * thickness; }
-  bool are_balls() const { return std::holds_alternative<BallShape>(a) && std::holds_alternative<BallShape>(b); }
-  double held_already() const { return ahead.strikes ? 0.0 : overlap(); }  ///< [m] what is open by less has its points
-  double blow() const { return (ahead.strikes ? least_blow : least_blow_in_heaps) * thickness; }  ///< [m] in the step
-};
-
-Pose moved(const Pose& pose, const Travel& motion, double part) {
-  const double angle = norm(motion.turn) * part;
-  if (!(angle > 0.0)) return {pose.x + motion.displacement * part, pose.R};
-  const Vec3 u = motion.turn * (part * functions::sin(0.5 * angle) / angle);
-  return {pose.x + motion.displacement * part, matrix(Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]}) * pose.R};
-}
 
 Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
   return motion.displacement + cross(motion.turn, on_a - at_a.x);
-}
-
-struct PartManifold {
-  Manifold manifold;
-  std::uint32_t part;
-};
-
-/// Keeps what is told.
-struct Collected final : ManifoldSink {
-  std::vector<PartManifold> found;
-  bool behind = false;
-  const ManifoldSink* to = nullptr;
-  void clear() {
-    found.clear();
-    behind = false;
-  }
-  void take(const Manifold& manifold, std::uint32_t part) override { found.push_back({manifold, part}); }
-  Travel motion_even_if_held() const override { return to->motion_even_if_held(); }
-  void tell_behind() override { behind = true; }
-};
-
-/// Tells the points of a, where it would be at a pose, on planes or triangles.
-void find_on_faces(const Pair& pair, const Pose& at_a, ManifoldSink& sink) {
-  if (!std::holds_alternative<HalfSpaceShape>(pair.b))
-    return convex_on_triangles(pair.a, at_a, pair.b, pair.at_b, pair.ahead.margin, sink);
-  Manifold manifold;
-  convex_on_plane(pair.a, at_a, pair.at_b, pair.ahead.margin, manifold);
-  if (manifold.count > 0) sink.take(manifold, 0);
 }
 
 struct Meeting {
@@ -145,24 +88,6 @@ Travel motion_of(const Pair& pair, const ManifoldSink& sink, std::span<const Man
     return p.gap > held_gap * pair.thickness && -dot(p.normal, way_of(motion, pair.at_a, p.on_a)) > pair.blow();
   };
   return std::any_of(points.begin(), points.end(), strikes) ? motion : sink.motion();
-}
-
-void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
-  const auto *box_a = std::get_if<BoxShape>(&pair.a), *box_b = std::get_if<BoxShape>(&pair.b);
-  if (box_a != nullptr && box_b != nullptr)
-    box_on_box(*box_a, at_a, *box_b, pair.at_b, pair.ahead, cache, manifold);
-  else
-    convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.ahead, cache, manifold);
-}
-
-/// Points of where a was at a pose are those of where it is now.
-void move_back(const Pair& pair, const Pose& pose, Manifold& manifold) {
-  for (std::uint32_t i = 0; i < manifold.count; i++) {
-    ManifoldPoint& p = manifold.points[i];
-    const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));
-    p.gap += dot(p.normal, now - p.on_a);
-    p.on_a = now;
-  }
 }
 
 void set_points_there(const Pair& pair, const Travel& motion, double part, Manifold& manifold) {
@@ -269,6 +194,7 @@ void tell_foreseen(const Pair& pair, ManifoldSink& sink) {
   if (now.behind) sink.tell_behind();
   const Travel motion = now.found.empty() ? Travel{} : sink.motion();
   const std::optional<PoseAhead> meeting = meeting_with_faces(pair, motion, now.found);
+  Collected* told = &now;
   if (meeting) {
     const Pose& pose = meeting->pose;
     there.clear();
@@ -277,19 +203,50 @@ void tell_foreseen(const Pair& pair, ManifoldSink& sink) {
       const ManifoldPoint& p = f.manifold.points[0];
       return std::fabs(p.gap) < pair.overlap() && -dot(p.normal, way_of(motion, pose, p.on_a)) > pair.blow();
     });
-    if (strikes) {
-      for (PartManifold& f : there.found) {
-        f.manifold.meeting = meeting;
-        move_back(pair, pose, f.manifold);
-        sink.take(f.manifold, f.part);
-      }
-      return;
+    if (strikes) told = &there;
+    for (PartManifold& f : there.found) {
+      f.manifold.meeting = meeting;
+      move_back(pair, pose, f.manifold);
     }
   }
-  for (const auto& [manifold, part] : now.found) sink.take(manifold, part);
+  if (!told->found.empty() && add_turned(pair, sink, told->found))
+    for (PartManifold& f : told->found) f.manifold.meeting.reset();
+  for (const auto& [manifold, part] : told->found) sink.take(manifold, part);
 }
 
 }  // namespace
+
+Pose moved(const Pose& pose, const Travel& motion, double part) {
+  const double angle = norm(motion.turn) * part;
+  if (!(angle > 0.0)) return {pose.x + motion.displacement * part, pose.R};
+  const Vec3 u = motion.turn * (part * functions::sin(0.5 * angle) / angle);
+  return {pose.x + motion.displacement * part, matrix(Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]}) * pose.R};
+}
+
+void find_on_faces(const Pair& pair, const Pose& at_a, ManifoldSink& sink) {
+  if (!std::holds_alternative<HalfSpaceShape>(pair.b))
+    return convex_on_triangles(pair.a, at_a, pair.b, pair.at_b, pair.ahead.margin, sink);
+  Manifold manifold;
+  convex_on_plane(pair.a, at_a, pair.at_b, pair.ahead.margin, manifold);
+  if (manifold.count > 0) sink.take(manifold, 0);
+}
+
+void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
+  const auto *box_a = std::get_if<BoxShape>(&pair.a), *box_b = std::get_if<BoxShape>(&pair.b);
+  if (box_a != nullptr && box_b != nullptr)
+    box_on_box(*box_a, at_a, *box_b, pair.at_b, pair.ahead, cache, manifold);
+  else
+    convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.ahead, cache, manifold);
+}
+
+void move_back(const Pair& pair, const Pose& pose, Manifold& manifold) {
+  for (std::uint32_t i = 0; i < manifold.count; i++) {
+    ManifoldPoint& p = manifold.points[i];
+    const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));
+    p.gap += dot(p.normal, now - p.on_a);
+    p.on_a = now;
+  }
+}
 
 InnerBall inner_ball(const Geometry& shape) {
   const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
@@ -304,7 +261,8 @@ void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, cons
   Manifold manifold;
   set_points(pair, at_a, cache, manifold);
   if (manifold.count == 0) return;
-  foresee(pair, motion_of(pair, sink, std::span(manifold.points).first(manifold.count)), manifold);
+  foresee(pair, motion_of(pair, sink, points_of(manifold)), manifold);
+  add_turned(pair, sink, manifold);
   add_inner_ball(pair, sink, manifold);
   if (manifold.count > 0) sink.take(manifold, 0);
 }

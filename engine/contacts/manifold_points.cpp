@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace pantin {
 
@@ -10,10 +11,10 @@ namespace {
 
 constexpr std::uint32_t most_kept = 4;
 
-/// Parts of the reach within which gaps, and parts of lengths and areas within which those, are held for equal.
-constexpr double same_gap = 1e-9, same_extent = 1e-6;
-/// Parts of the reach: how much higher than the lowest a point may be that counts in full, and that counts by half.
-constexpr double as_low = 1e-5, half_as_low = 1e-3;
+/// Parts of lengths and areas within which those are held for equal.
+constexpr double same_extent = 1e-6;
+/// Part of the reach: how much higher than the lowest a point may be that counts in full.
+constexpr double as_low = 1e-5;
 
 void append(Manifold& manifold, ManifoldPoint point) {
   const auto end = manifold.points.begin() + manifold.count;
@@ -40,60 +41,66 @@ class Choice {
   std::uint32_t chosen_ = none;
 };
 
-using Order = std::array<std::uint32_t, PointList::capacity>;
+using Order = std::span<const std::uint32_t>;
+using Points = std::span<const ManifoldPoint>;
 
 /// The first that is as deep as the deepest.
-std::uint32_t deepest(const PointList& list, const Order& order, double reach) {
-  const double least = least_gap(list);
-  for (std::uint32_t i = 0; i < list.count; i++)
-    if (list.points[order[i]].gap <= least + same_gap * reach) return order[i];
+std::uint32_t deepest(Points points, Order order, double reach) {
+  const double least = least_gap(points);
+  for (const std::uint32_t i : order)
+    if (points[i].gap <= least + same_gap * reach) return i;
   return order[0];
+}
+
+/// By their ids.
+Order in_order(Points points) {
+  thread_local std::vector<std::uint32_t> order;
+  order.resize(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto before = [&](std::uint32_t i, std::uint32_t j) {
+    return points[i].id != points[j].id ? points[i].id < points[j].id : i < j;
+  };
+  if (!std::is_sorted(order.begin(), order.end(), before)) std::sort(order.begin(), order.end(), before);
+  return order;
 }
 
 }  // namespace
 
-double least_gap(const PointList& list) {
+double least_gap(Points points) {
   double least = infinity;
-  for (std::uint32_t i = 0; i < list.count; i++) least = std::fmin(least, list.points[i].gap);
+  for (const ManifoldPoint& p : points) least = std::fmin(least, p.gap);
   return least;
 }
 
-void keep_points(const PointList& list, double reach, double turn_way, Manifold& manifold) {
-  if (list.count <= most_kept) {
-    for (std::uint32_t i = 0; i < list.count; i++) append(manifold, list.points[i]);
+void keep_points(Points points, double reach, double turn_way, Manifold& manifold) {
+  if (points.size() <= most_kept) {
+    for (const ManifoldPoint& p : points) append(manifold, p);
     return;
   }
-  Order order;
-  const auto end = order.begin() + list.count;
-  std::iota(order.begin(), end, 0u);
-  std::sort(order.begin(), end, [&](std::uint32_t i, std::uint32_t j) {
-    return list.points[i].id != list.points[j].id ? list.points[i].id < list.points[j].id : i < j;
-  });
-
+  const Order order = in_order(points);
   const double least_extent = same_extent * reach;
-  const ManifoldPoint& first = list.points[deepest(list, order, reach)];
+  const ManifoldPoint& first = points[deepest(points, order, reach)];
   // What is open counts less, lest an edge that touches gives way to a corner that is farther and open.
   const double low = half_as_low * reach + turn_way;
   const auto counts = [&](const ManifoldPoint& point) {
     return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * reach) / low);
   };
   Choice far(least_extent * least_extent);
-  for (auto i = order.begin(); i != end; ++i)
-    far.offer(*i, norm2(list.points[*i].on_a - first.on_a) * counts(list.points[*i]));
+  for (const std::uint32_t i : order) far.offer(i, norm2(points[i].on_a - first.on_a) * counts(points[i]));
   append(manifold, first);
   if (far.chosen() == Choice::none) return;
 
-  const ManifoldPoint& second = list.points[far.chosen()];
+  const ManifoldPoint& second = points[far.chosen()];
   append(manifold, second);
   const Vec3 across = cross(first.normal, second.on_a - first.on_a);
   Choice left(least_extent * norm(across)), right(least_extent * norm(across));
-  for (auto i = order.begin(); i != end; ++i) {
-    const double side = dot(across, list.points[*i].on_a - first.on_a) * counts(list.points[*i]);
-    left.offer(*i, side);
-    right.offer(*i, -side);
+  for (const std::uint32_t i : order) {
+    const double side = dot(across, points[i].on_a - first.on_a) * counts(points[i]);
+    left.offer(i, side);
+    right.offer(i, -side);
   }
   for (const std::uint32_t chosen : {left.chosen(), right.chosen()})
-    if (chosen != Choice::none) append(manifold, list.points[chosen]);
+    if (chosen != Choice::none) append(manifold, points[chosen]);
 }
 
 }  // namespace pantin

@@ -272,6 +272,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   sum.wrong = gains.wrong;
   sum.taken_back = gains.taken_back;
   space.placed = 0;
+  contacts.drift = h;
   collect_heat(contacts, islands);
   hold_again(articulates);
 }

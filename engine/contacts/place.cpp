@@ -189,6 +189,42 @@ bool turn_as_found(TouchIsland& island, const Contacts& contacts, double h) {
   return elsewhere;
 }
 
+/// Where `place` holds a point on the world that was open, of two shapes that touched at another one, they roll on to it in the
+/// drift: the other one bears until they meet it, as it did in the last drift. Not of two bodies, whose angular momentum is to
+/// be kept.
+void note_rolling(const Contacts& contacts, double h, TouchIsland& island) {
+  const ContactIsland& problem = island.problem;
+  if (problem.is_tied() || !(contacts.drift > 0.0)) return;
+  const auto contact = [&](std::size_t k) -> const Contact& { return contacts.list[island.contacts[k]]; };
+  const auto is_open = [&](const Contact& c) { return c.gap > closed_gap * c.size; };
+  const auto is_rolled_to = [&](const Contact& c) {
+    return is_open(c) && norm2(c.place_impulse) > 0.0 && c.approach * h < -c.gap;
+  };
+  const auto bore = [&](const Contact& c) {
+    return !is_open(c) && !c.foreseen && c.restitution == 0.0 && dot(c.total, c.normal) > 0.0;
+  };
+  std::size_t placed = 0;
+  for (std::size_t first = 0, end = 0; first < problem.contacts.size(); first = end) {
+    double part = 1.0;  // of the drift
+    bool any_bore = false;
+    for (; end < problem.contacts.size() && contact(end).key.same_shapes(contact(first).key); end++) {
+      const Contact& c = contact(end);
+      any_bore = any_bore || bore(c);
+      if (is_rolled_to(c)) part = std::min(part, c.gap / (-c.approach * h));
+    }
+    const bool rolls = contact(first).body_b < 0 && any_bore && part < 1.0;
+    for (std::size_t k = first; k < end; k++) {
+      const Contact& c = contact(k);
+      const IslandContact& at = problem.contacts[k];
+      if (norm2(c.place_impulse) > 0.0) island.placed[placed++].rolled_on = rolls && is_rolled_to(c);
+      if (rolls && bore(c))
+        island.rolled.push_back({c.key,
+                                 {c.body_a, c.body_b, c.key.b, c.total * (part * h / contacts.drift), zero3(), at.ra,
+                                  at.rb, c.normal, false, zero3(), at.a, at.b}});
+    }
+  }
+}
+
 /// Whether one turns so far in the drift that where it touches then says nothing of where it was given impulses.
 bool whirls(const Model& model, const TouchIsland& island, double h) {
   constexpr double far = 0.5;  // [rad]
@@ -258,6 +294,7 @@ void find_placing(TouchSpace& space, Workers& workers, Model& model, const Artic
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.place_impulse, to.place_moment, c.ra, c.rb, to.normal,
                                to.foreseen, turned_by(island, to, c), c.a, c.b, c.ra + to.normal * to.round_a.radius});
     }
+    note_rolling(contacts, h, island);
   });
   space.placed = islands.size();
   std::int32_t next = 0;

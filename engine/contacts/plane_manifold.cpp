@@ -1,5 +1,6 @@
 // A convex shape on a half space: its lowest points.
 #include <algorithm>
+#include <vector>
 
 #include "contacts/features.hpp"
 #include "contacts/manifold_parts.hpp"
@@ -14,7 +15,7 @@ constexpr double same_height = 1e-9;
 /// Sine of the tilt above which a standing cylinder has a lowest point.
 constexpr double level = 1e-7;
 /// Part of a hull's reach above its lowest corner within which all its corners may matter.
-constexpr double low_corners = 0.02;
+constexpr double low_corners = 1e-5;
 
 struct Lowest {
   const Pose& at_a;
@@ -22,12 +23,12 @@ struct Lowest {
   Vec3 up;        ///< the same in the shape's own axes
   double height;  ///< [m] of the shape's origin
   double margin;  ///< [m]
-  PointList& points;
+  std::vector<ManifoldPoint>& points;
 
   double gap_of(Vec3 local) const { return height + dot(up, local); }
   void add(Vec3 local, std::uint32_t id) const {
     const double gap = gap_of(local);
-    if (gap <= margin) points.add({at_a.to_world(local), normal, gap, id});
+    if (gap <= margin) points.push_back({at_a.to_world(local), normal, gap, id});
   }
 };
 
@@ -112,10 +113,11 @@ void add_lowest(const Lowest&, const std::shared_ptr<const HeightField>&) {}
 void convex_on_plane(const Geometry& a, const Pose& at_a, const Pose& at_b, double margin, Manifold& manifold) {
   manifold.count = 0;
   const Vec3 normal = at_b.R[2];
-  PointList points;
+  thread_local std::vector<ManifoldPoint> points;
+  points.clear();
   const Lowest plane = {at_a, normal, transposed_times(at_a.R, normal), dot(normal, at_a.x - at_b.x), margin, points};
   std::visit([&](const auto& shape) { add_lowest(plane, shape); }, a);
-  if (points.count > 0) keep_points(points, reach_of(a), 0.0, manifold);
+  if (!points.empty()) keep_points(points, reach_of(a), 0.0, manifold);
 }
 
 }  // namespace pantin

@@ -51,10 +51,11 @@ std::vector<PlacedNow> placed_now(const Contacts& contacts, std::span<const Touc
 class TakeBack {
  public:
   /// `now` (placed).
-  TakeBack(TouchIsland& island, std::span<const PlacedNow> now, TouchSpace& space, Model& model,
-           const Articulates& articulates, const TouchSettings& settings)
+  TakeBack(TouchIsland& island, std::span<const PlacedNow> now, std::span<const Contact> contacts, TouchSpace& space,
+           Model& model, const Articulates& articulates, const TouchSettings& settings)
       : island_(island),
         now_(now),
+        contacts_(contacts),
         space_(space),
         model_(model),
         articulates_(articulates),
@@ -67,6 +68,7 @@ class TakeBack {
   double run() {
     if (island_.solved) lose_as_then();
     if (!thrown_.empty()) keep_what_springs_threw();
+    keep_what_bore_until_it_rolled_off();
     for (const BodyImpulse& g : island_.given) lose(g);
     if (island_.solved) lose_as_now();
     lose_scalars();
@@ -102,12 +104,22 @@ class TakeBack {
         island_.given.push_back(g);
     });
   }
-  /// Whether a contact touches still, and is no blow of free bodies: those are as fast then as they were.
+  /// Whether a contact touches still, and is no blow of free bodies, nor where they rolled on to in the drift: that only kept them
+  /// apart, and they are as fast then as they were.
   bool touches_on(std::size_t k) const {
     const Contact* c = now_[k].touching;
     if (c == nullptr || island_.problem.is_tied()) return c != nullptr;
-    return c->rebound == 0.0 &&
-           !(c->gap_before > closed_gap * c->size && c->approach < -slow_of(settings_, island_.problem));
+    const bool is_blow = c->gap_before > closed_gap * c->size && c->approach < -slow_of(settings_, island_.problem);
+    return c->rebound == 0.0 && !is_blow && !island_.placed[k].rolled_on;
+  }
+  void keep_what_bore_until_it_rolled_off() {
+    for (const RolledOff& r : island_.rolled) {
+      const auto now = std::lower_bound(contacts_.begin(), contacts_.end(), r.from,
+                                        [](const Contact& c, const ContactKey& key) { return c.key < key; });
+      if (now != contacts_.end() && now->key == r.from && now->gap <= closed_gap * now->size) continue;
+      each_given(r.given, r.given.impulse, zero3(), r.given.arm_a, r.given.arm_b,
+                 [&](const BodyImpulse& g) { lose(g); });
+    }
   }
   /// What contacts gave that touch no more: as they gave it.
   void lose_as_then() {
@@ -239,6 +251,7 @@ class TakeBack {
 
   TouchIsland& island_;
   std::span<const PlacedNow> now_;
+  std::span<const Contact> contacts_;  // by key
   TouchSpace& space_;
   Model& model_;
   const Articulates& articulates_;
@@ -265,7 +278,8 @@ void take_back(TouchSpace& space, Workers& workers, Model& model, const Articula
     }
     HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
     const std::span of_island = std::span(now).subspan(island.first_placed, island.placed.size());
-    report.work = TakeBack(island, of_island, space, model, articulates, settings).run() + island.answered.all();
+    report.work =
+        TakeBack(island, of_island, contacts.list, space, model, articulates, settings).run() + island.answered.all();
     report.ties.anchors -= island.answered.anchors;
     report.ties.angular_rows -= island.answered.angular_rows;
     heat.add(report.work);
