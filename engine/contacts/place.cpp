@@ -190,8 +190,8 @@ bool turn_as_found(TouchIsland& island, const Contacts& contacts, double h) {
 }
 
 /// Where `place` holds a point on the world that was open, of two shapes that touched at another one, they roll on to it in the
-/// drift: the other one bears until they meet it, as it did in the last drift. Not of two bodies, whose angular momentum is to
-/// be kept.
+/// drift: the other one bears until they meet it, as it did in the last drift, but no more than the forces on the body press: what
+/// a blow gave in the last drift it does not give again. Not of two bodies, whose angular momentum is to be kept.
 void note_rolling(const Contacts& contacts, double h, TouchIsland& island) {
   const ContactIsland& problem = island.problem;
   if (problem.is_tied() || !(contacts.drift > 0.0)) return;
@@ -205,22 +205,27 @@ void note_rolling(const Contacts& contacts, double h, TouchIsland& island) {
   };
   std::size_t placed = 0;
   for (std::size_t first = 0, end = 0; first < problem.contacts.size(); first = end) {
-    double part = 1.0;  // of the drift
-    bool any_bore = false;
+    double part = 1.0, borne = 0.0, pressed = 0.0;  // of the drift; [N s] in it
     for (; end < problem.contacts.size() && contact(end).key.same_shapes(contact(first).key); end++) {
       const Contact& c = contact(end);
-      any_bore = any_bore || bore(c);
+      if (bore(c)) {
+        const auto a = static_cast<std::size_t>(problem.contacts[end].a);
+        const IslandBody& body = problem.bodies[a];
+        borne += dot(c.total, c.normal) * h / contacts.drift;
+        pressed = std::max(pressed, 2.0 * body.mass * dot(island.states[a].v - body.v0, c.normal));
+      }
       if (is_rolled_to(c)) part = std::min(part, c.gap / (-c.approach * h));
     }
-    const bool rolls = contact(first).body_b < 0 && any_bore && part < 1.0;
+    const bool rolls = contact(first).body_b < 0 && borne > 0.0 && part < 1.0;
+    const double times = rolls ? part * std::min(1.0, pressed / borne) * h / contacts.drift : 0.0;
     for (std::size_t k = first; k < end; k++) {
       const Contact& c = contact(k);
       const IslandContact& at = problem.contacts[k];
       if (norm2(c.place_impulse) > 0.0) island.placed[placed++].rolled_on = rolls && is_rolled_to(c);
       if (rolls && bore(c))
         island.rolled.push_back({c.key,
-                                 {c.body_a, c.body_b, c.key.b, c.total * (part * h / contacts.drift), zero3(), at.ra,
-                                  at.rb, c.normal, false, zero3(), at.a, at.b}});
+                                 {c.body_a, c.body_b, c.key.b, c.total * times, zero3(), at.ra, at.rb, c.normal, false,
+                                  zero3(), at.a, at.b}});
     }
   }
 }

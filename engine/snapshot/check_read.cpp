@@ -182,24 +182,22 @@ void check_contacts(const World& w) {
   sound_state(c.bodies.size() <= w.bodies.slots() && c.points.size() <= w.points.slots());
 }
 
-/// A row that turns is of a constraint whose bodies are there.
-bool turns_bodies(const World& w, const ConstraintId id) {
-  if (!w.constraints.alive(id)) return true;
-  const Constraint& c = w.constraints[id];
-  return !c.coupled().empty() || (w.bodies.alive(c.body_a) && (!c.body_b || w.bodies.alive(c.body_b)));
+/// Whether the constraint of a row has what the row is of: its coupling, its part of a string, its path, the bodies that it turns.
+bool has_its_part(const World& w, const Condition& condition, const Row& row) {
+  if (!w.constraints.alive(condition.constraint)) return true;
+  const Constraint& c = w.constraints[condition.constraint];
+  if (is_coupled(row) && c.is<CouplingData>()) return condition.index < c.coupled().size();
+  if (c.kind == ConstraintKind::string) return condition.index + 1 < c.passages().size();
+  if (row.rule == &path_row) return c.is<PathData>();
+  return row.lever == 0.0 || (w.bodies.alive(c.body_a) && (!c.body_b || w.bodies.alive(c.body_b)));
 }
 
 void check_articulate(const World& w, const Articulate& a) {
   for (const Node& node : a.nodes) sound_state(node.slot < (node.is_body ? w.bodies.slots() : w.points.slots()));
   for (const Node& node : a.saved) sound_state(node.slot < (node.is_body ? w.bodies.slots() : w.points.slots()));
   sound_state(a.plane.normal == w.plane.normal && a.sub_steps.count > 0);
-  for (const Row& row : a.rows) {
-    if (row.lever > 0.0 && row.condition >= 0) sound_state(turns_bodies(w, condition(a, row).constraint));
-    if (row.rule == &path_row) {
-      const ConstraintId id = condition(a, row).constraint;
-      sound_state(!w.constraints.alive(id) || w.constraints[id].is<PathData>());
-    }
-  }
+  for (const Row& row : a.rows)
+    if (row.condition >= 0) sound_state(has_its_part(w, condition(a, row), row));
 }
 
 }  // namespace
