@@ -111,7 +111,7 @@ struct Builder {
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});
     }
-    for (ScalarRow& row : scalar_rows(a)) {
+    for (ScalarRow& row : scalar_rows(a, settings.step, settings.wanted_at)) {
       IslandScalar& s = to.problem.scalars.emplace_back();
       s.first_end = static_cast<std::uint32_t>(to.problem.ends.size());
       for (const ScalarRow::End& end : row.ends)

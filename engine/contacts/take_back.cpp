@@ -185,7 +185,7 @@ class TakeBack {
       const std::uint32_t number = island_.held[k].articulate;
       Articulate& a = *articulates_[number];
       place_velocity_constraints(a, settings_.step, settings_.at, settings_.wanted_at);
-      const std::vector<ScalarRow> now = scalar_rows(a);
+      const std::vector<ScalarRow> now = scalar_rows(a, settings_.step, settings_.wanted_at);
       for (; k < island_.held.size() && island_.held[k].articulate == number; k++) {
         const TouchScalar& then = island_.held[k];
         const auto same = std::find_if(now.begin(), now.end(), [&](const ScalarRow& row) {

@@ -7,6 +7,7 @@
 #include "articulates/articulate.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/slider.hpp"
+#include "model/path.hpp"
 #include "shapes/shape.hpp"
 
 namespace pantin {
@@ -88,6 +89,16 @@ void check_bodies(const World& w) {
   });
 }
 
+/// Whether a run is between corners of a path, or without ends.
+bool is_run_of(const Path& path, PathRun run) {
+  constexpr double far = 1e9;
+  const auto is_corner = [&](double u, double least, double most) {
+    return u == std::floor(u) && (path.closed() ? std::fabs(u) < far : u >= least && u <= most);
+  };
+  return (run.from == -infinity || is_corner(run.from, 0.0, path.pieces() - 1.0)) &&
+         (run.to == infinity || is_corner(run.to, 1.0, path.pieces())) && run.from <= run.to;
+}
+
 /// Whether all that only its kind has is there, and what it ties.
 void check_constraint(const World& w, const Constraint& c) {
   c.each_point([&](PointId point) { sound_state(w.points.alive(point)); });
@@ -96,7 +107,9 @@ void check_constraint(const World& w, const Constraint& c) {
   switch (c.kind) {
     case ConstraintKind::axis: return sound_state(c.is<AxisData>() && w.particles.alive(c.ring()));
     case ConstraintKind::weld: return sound_state(c.is<WeldData>());
-    case ConstraintKind::on_path: return sound_state(c.is<PathData>() && c.as<PathData>().path);
+    case ConstraintKind::on_path:
+      return sound_state(c.is<PathData>() && c.as<PathData>().path &&
+                         is_run_of(*c.as<PathData>().path, c.as<PathData>().run));
     case ConstraintKind::join: return sound_state(c.is<JoinData>() && c.progress());
     case ConstraintKind::string: return sound_state(c.passages().size() >= 2 || c.coupled().size() >= 1);
     case ConstraintKind::pulley:

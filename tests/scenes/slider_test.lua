@@ -185,3 +185,23 @@ test("slider: bad options are refused", function()
   refused("scene:slider(a.middle, b, { axis = x, length = 0 }).max = 1", "keeps a length")
   refused("scene.plane = 'xy' scene:slider(a.middle, b, { axis = z })", "axis")
 end)
+
+test("slider: what it carries presses with its weight and what speeds it up, at steps of one and of several drifts", function()
+  for _, rate in ipairs { 60, 120, 240 } do
+    local scene = open_text(([[
+      scene.step = 1 / %d
+      local table = scene:body { mass = 20, shape = shape.box(2, 0.2, 2), points = { middle = vec(0, 0, 0) } }
+      scene:slider(table.middle, { axis = vec(0, 1, 0), length = function(t) return 0.1 * (1 - math.cos(6 * t)) end })
+      scene:box { name = "rider", size = 0.5, mass = 3, at = vec(0, 0.35, 0) }
+    ]]):format(rate))
+    local rider, last = scene:find "rider"
+    while scene.time < 1 do
+      scene:step()
+      local force = 0
+      for _, contact in ipairs(rider.contacts) do force = force + contact.force.y end
+      if last then expect(force):near(3 * ((rider.velocity.y - last) * rate + 9.81), 0.02) end
+      last = rider.velocity.y
+    end
+    expect(scene.error.worst_energy):below(5e-3)
+  end
+end)

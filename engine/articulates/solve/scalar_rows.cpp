@@ -4,6 +4,7 @@
 
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/wanted_velocities.hpp"
 
 namespace pantin {
 
@@ -87,7 +88,8 @@ void find_ends(const Articulate& a, ScalarRow& s) {
 
 }  // namespace
 
-std::vector<ScalarRow> scalar_rows(Articulate& a) {
+std::vector<ScalarRow> scalar_rows(Articulate& a, double step, double wanted_at) {
+  const WantedVelocities wanted(a, step, wanted_at);
   std::vector<ScalarRow> all;
   for (const Coupling& coupling : a.couplings) all.push_back(row_of(a, coupling));
   for (const Condition& c : a.conditions) {

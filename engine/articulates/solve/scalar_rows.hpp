@@ -32,7 +32,7 @@ struct ScalarRow {
 /// Whether contacts meet a condition as a scalar row within bounds, not as a tie.
 inline bool is_bounded(const Condition& c) { return c.ranged || is_limited(c); }
 
-/// Those of rows as they are placed (`place_velocity_constraints`).
-std::vector<ScalarRow> scalar_rows(Articulate& articulate);
+/// Those of rows as they are placed (`place_velocity_constraints`), with what they want at a moment (0 … 1) of the step [s].
+std::vector<ScalarRow> scalar_rows(Articulate& articulate, double step, double wanted_at);
 
 }  // namespace pantin
