@@ -98,7 +98,7 @@ void give_to_island(TouchSpace& space, Model& model, const Articulates& articula
         space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
   };
   note(-1.0);
-  std::vector<std::vector<Vec3>> driven;
+  std::vector<std::vector<DrivenVelocity>> driven;
   for (const std::uint32_t a : island.articulates)
     driven.push_back(driven_velocities(*articulates[a], model, settings));
   give(model, island, loads);

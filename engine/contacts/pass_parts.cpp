@@ -51,20 +51,24 @@ void let_overdriven_give_way_now(Articulate& a, Model& model, const TouchSetting
   drop_factor(a, FactorOf::projection);
 }
 
-std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings) {
+std::vector<DrivenVelocity> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings) {
   if (std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.driven; })) return {};
   begin_answers_now(a, model, settings);
   keep_driven_velocities(a);
   drop_factor(a, FactorOf::projection);
-  std::vector<Vec3> velocities;
-  for (const Condition& c : a.conditions) velocities.push_back(c.wanted);
+  std::vector<DrivenVelocity> velocities;
+  for (const Condition& c : a.conditions) velocities.push_back({c.wanted, c.worked_at});
   return velocities;
 }
 
-ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings, std::span<const Vec3> driven) {
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings,
+                           std::span<const DrivenVelocity> driven) {
   begin_answers_now(a, model, settings);
   for (std::size_t k = 0; k < driven.size(); k++)
-    if (Condition& c = a.conditions[k]; c.driven) c.wanted = c.worked_at = driven[k];
+    if (Condition& c = a.conditions[k]; c.driven) {
+      c.wanted = driven[k].now;
+      c.worked_at = driven[k].in_drift;
+    }
   const bool at_distance = acts_at_distance(a);
   const Momenta momenta = at_distance ? momenta_of(a) : Momenta{};
   ImpulseWork work = answer(a);

@@ -107,12 +107,17 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
 /// Of what touches nothing: stops give way, and rows of limited force where they would have to give more than it.
 void let_overdriven_give_way_now(Articulate& a, Model& model, const TouchSettings& settings);
 
+/// [m/s] How fast what is driven is now, and in the mean of the drift, unless it jumps: at that it works.
+struct DrivenVelocity {
+  Vec3 now, in_drift;
+};
+
 /// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
 /// What is driven stays as fast as `driven` says.
 ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings,
-                           std::span<const Vec3> driven = {});
-/// (conditions) [m/s] How fast what is driven is now; none where nothing is.
-std::vector<Vec3> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings);
+                           std::span<const DrivenVelocity> driven = {});
+/// (conditions) None where nothing is driven.
+std::vector<DrivenVelocity> driven_velocities(Articulate& a, Model& model, const TouchSettings& settings);
 
 /// What a scalar gives that moves with `velocity`, as far as it wants to: a motor that is stopped gives nothing.
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse, double velocity);

@@ -478,12 +478,14 @@ void begin_answers(Articulate& a, double epsilon) {
 }
 
 void keep_driven_velocities(Articulate& a) {
-  constexpr double largest_kept_jump = 0.1;  // part of the speed
+  constexpr double least_jump = 0.1;  // part of the speed
   find_velocities(a, From::batches);
   for (Condition& c : a.conditions) {
+    if (!c.driven) continue;
     const Vec3 now = c.wanted + row(a, c).residual;
     const double fastest = std::max({norm(c.wanted), norm(now), norm(c.velocity)});
-    if (c.driven && norm(now - c.wanted) > largest_kept_jump * fastest) c.wanted = c.worked_at = now;
+    if (norm(now - c.wanted) > least_jump * fastest) c.worked_at = now;
+    c.wanted = now;
   }
 }
 

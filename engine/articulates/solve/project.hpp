@@ -37,8 +37,8 @@ void begin_answers(Articulate& articulate, double epsilon);
 ImpulseWork answer(Articulate& articulate);
 /// Lets rows of limited force give way whose impulses of the last answer are more than it gives in h [s].
 void let_answers_give_way(Articulate& articulate, double h);
-/// After `begin_answers`: makes what is driven, and is to jump, stay as fast as it is in the batches now: answers are then to
-/// what comes alone.
+/// After `begin_answers`: makes what is driven stay as fast as it is in the batches now, so that answers are to what comes alone.
+/// It works at what it wanted, unless that is a jump.
 void keep_driven_velocities(Articulate& articulate);
 
 }  // namespace pantin
