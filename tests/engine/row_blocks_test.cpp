@@ -198,7 +198,7 @@ TEST_CASE("hub: particles with many springs that are solved are, and go where sp
     const auto cube = cases::add_cube(*world, {.solve = world == &solved ? Solve::at_middle : Solve::explicitly});
     set_velocity(*world, cases::point_of(*world, cube.front()), vec(2, 1, 0));
     world->settings.step = 1.0 / 2000;
-    const Watched course = watch(*world, 0.5);
+    const Watched course = watch(*world, 0.1);
     CHECK(course.failure == "");
   }
   CHECK(hubs(solved) == 117);

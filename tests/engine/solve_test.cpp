@@ -18,7 +18,7 @@ TEST_CASE("Impulses of two hundred random islands obey Coulomb's law") {
     for (Eigen::Index k = 0; k < impulses.size(); k++)
       impulses(k) = island.contacts[static_cast<std::size_t>(k / 3)].impulse[static_cast<int>(k % 3)];
     const double small = 1e-5 * problem.q.norm();
-    const Eigen::VectorXd u = problem.W * impulses + problem.q;
+    const Eigen::VectorXd u = problem.velocities(impulses);
     for (std::size_t k = 0; k < island.contacts.size(); k++) {
       const auto row = static_cast<Eigen::Index>(3 * k);
       const IslandContact& c = island.contacts[k];
