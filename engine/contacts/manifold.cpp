@@ -203,10 +203,12 @@ void tell_foreseen(const Pair& pair, ManifoldSink& sink) {
       const ManifoldPoint& p = f.manifold.points[0];
       return std::fabs(p.gap) < pair.overlap() && -dot(p.normal, way_of(motion, pose, p.on_a)) > pair.blow();
     });
-    if (strikes) told = &there;
-    for (PartManifold& f : there.found) {
-      f.manifold.meeting = meeting;
-      move_back(pair, pose, f.manifold);
+    if (strikes) {
+      told = &there;
+      for (PartManifold& f : there.found) {
+        f.manifold.meeting = meeting;
+        move_back(pair, pose, f.manifold);
+      }
     }
   }
   if (!told->found.empty() && add_turned(pair, sink, told->found))

@@ -13,8 +13,6 @@ constexpr std::uint32_t most_kept = 4;
 
 /// Parts of lengths and areas within which those are held for equal.
 constexpr double same_extent = 1e-6;
-/// Part of the reach: how much higher than the lowest a point may be that counts in full.
-constexpr double as_low = 1e-5;
 
 void append(Manifold& manifold, ManifoldPoint point) {
   const auto end = manifold.points.begin() + manifold.count;

@@ -20,8 +20,8 @@ struct PointList {
 
 /// Part of the reach within which gaps are held for equal.
 inline constexpr double same_gap = 1e-9;
-/// Part of the reach: how much higher than the lowest a point may be that counts by half.
-inline constexpr double half_as_low = 1e-3;
+/// Parts of the reach: how much higher than the lowest a point may be that counts in full, and that counts by half.
+inline constexpr double as_low = 1e-5, half_as_low = 1e-3;
 
 /// [m]
 double least_gap(std::span<const ManifoldPoint> points);

@@ -14,8 +14,6 @@ namespace {
 constexpr double same_height = 1e-9;
 /// Sine of the tilt above which a standing cylinder has a lowest point.
 constexpr double level = 1e-7;
-/// Part of a hull's reach above its lowest corner within which all its corners may matter.
-constexpr double low_corners = 1e-5;
 
 struct Lowest {
   const Pose& at_a;
@@ -86,11 +84,11 @@ void add_lowest(const Lowest& plane, const CylinderShape& cylinder) {
       plane.add(centre + rim[i] * radius, cap + i);
 }
 
-/// All low corners, and those of the face that looks down: what a fast turn may bring to the plane.
+/// All corners as low as the lowest, and those of the face that looks down.
 void add_lowest(const Lowest& plane, const std::shared_ptr<const Hull>& hull) {
   const double lowest = plane.gap_of(hull->vertices[farthest(*hull, -plane.up)]);
   if (lowest > plane.margin) return;
-  const double low = lowest + low_corners * hull->reach;
+  const double low = lowest + as_low * hull->reach;
   for (std::uint32_t i = 0; i < hull->vertices.size(); i++)
     if (plane.gap_of(hull->vertices[i]) <= low) plane.add(hull->vertices[i], i);
 

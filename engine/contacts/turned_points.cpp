@@ -14,8 +14,7 @@ namespace {
 bool turns_past(const Geometry& shape, const Pose& at, Vec3 turn, Vec3 out, std::span<const Vec3> points, double by) {
   const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
   if (hull == nullptr || !(norm(turn) * (*hull)->reach > by)) return false;
-  const Vec3 then = transposed_times(moved({zero3(), identity33()}, {zero3(), turn}, 1.0).R, out);
-  const Vec3 local = transposed_times(at.R, then);
+  const Vec3 local = transposed_times(moved(at, {zero3(), turn}, 1.0).R, out);
   const double farthest_out = dot(local, (*hull)->vertices[farthest(**hull, local)]);
   return std::all_of(points.begin(), points.end(),
                      [&](Vec3 p) { return farthest_out - dot(local, at.to_local(p)) > by; });
@@ -59,13 +58,15 @@ void put_lowest_first(const Pair& pair, Manifold& manifold, const Height& height
 /// Of what rolls on to a pose, two points that touch now, the farther ahead of those that do, and two that will then.
 void merge_turned(const Pair& pair, const Pose& then, Manifold& turned, Manifold& manifold) {
   constexpr std::uint32_t each = 2;
+  constexpr double between_equals = 1e-6;  // of the height then: which of those that touch now comes first
   const auto height = [&](const ManifoldPoint& p) {
     return p.gap + dot(p.normal, then.to_world(pair.at_a.to_local(p.on_a)) - p.on_a);
   };
   put_lowest_first(pair, turned, height);
   const double touches = least_gap(points_of(manifold)) + same_gap * pair.thickness;
-  put_lowest_first(pair, manifold,
-                   [&](const ManifoldPoint& p) { return p.gap > touches ? p.gap : touches + 1e-6 * height(p); });
+  put_lowest_first(pair, manifold, [&](const ManifoldPoint& p) {
+    return p.gap > touches ? p.gap : touches + between_equals * height(p);
+  });
   const Manifold now = manifold;
   manifold.count = 0;
   const auto add = [&](const ManifoldPoint& p) {
