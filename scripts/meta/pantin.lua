@@ -1447,8 +1447,9 @@ function Scene:finish() end
 function Scene:snapshot() end
 ---Goes back to a snapshot once the step is done. Things, events and handlers are those of then, and handles of them are theirs again; what was made since is gone. An error while a play goes on.
 ---```lua
----local before = scene:snapshot()
+---local before
 ---scene:button("again", function() scene:restore(before) end)
+---before = scene:snapshot()  -- last: what is made after it is gone with the first restore
 ---```
 ---@param snapshot Snapshot
 function Scene:restore(snapshot) end

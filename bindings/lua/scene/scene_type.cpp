@@ -311,8 +311,9 @@ std::vector<Method> telling() {
        "Goes back to a snapshot once the step is done. Things, events and handlers are those of then, and handles of "
        "them "
        "are theirs again; what was made since is gone. An error while a play goes on.",
-       "local before = scene:snapshot()\n"
-       "scene:button(\"again\", function() scene:restore(before) end)"},
+       "local before\n"
+       "scene:button(\"again\", function() scene:restore(before) end)\n"
+       "before = scene:snapshot()  -- last: what is made after it is gone with the first restore"},
       {"reset", guard<scene_reset>, "", "",
        "Goes back to the start of the first step, as restore does. A state in a file has none: there it is an error.",
        "scene:button(\"from the start\", function() scene:reset() end)"},
