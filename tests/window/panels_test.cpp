@@ -154,6 +154,20 @@ TEST_CASE("panels: keys pause, slow and speed up time, and pass to the next scen
   CHECK(played.world().steps == 0);  // the key after it is for the scene that it opened
 }
 
+namespace {
+
+/// Writes into the field of a panel where (x, y) [px] is, in place of what it had.
+void write_into(Played& played, double x, double y, const char* text) {
+  played.click(x, y);
+  pushed::key(SDLK_LCTRL);
+  pushed::tap(SDLK_a);
+  played.frames(2);
+  pushed::key(SDLK_LCTRL, false);
+  pushed::type(text);
+}
+
+}  // namespace
+
 TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in it are not for the scene", "[window]") {
   Played played(R"(
     scene.gravity = vec(0, 0, 0)
@@ -165,12 +179,7 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
   played.frames(3);
   played.click(480, 270);
   const double mass_x = 800, mass_y = 173;  // in the panel at the right edge, under the bar
-  played.click(mass_x, mass_y);
-  pushed::key(SDLK_LCTRL);
-  pushed::tap(SDLK_a);
-  played.frames(2);
-  pushed::key(SDLK_LCTRL, false);
-  pushed::type("2.5");
+  write_into(played, mass_x, mass_y, "2.5");
   pushed::tap(SDLK_j);
   played.frames(2);
   pushed::tap(SDLK_RETURN);
@@ -186,6 +195,21 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
   pushed::tap(SDLK_j);
   played.frames(30);
   CHECK(played.player->scene().results().contains("keys"));
+}
+
+TEST_CASE("panels: a coordinate is written with a power of ten as a mass is", "[window]") {
+  Played played(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
+    scene:particle { at = vec(0, 0, 0), name = "bead" })",
+                5.0, {960, 540});
+  pushed::tap(SDLK_F8);
+  played.frames(3);
+  played.click(480, 270);
+  write_into(played, 685, 121, "2e-1");
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(position(played.world(), played.world().particles.ids().front())[0] == 0.2);
 }
 
 TEST_CASE("panels: all of them are drawn for a scene with probes and one with events, also in a window of one pixel",

@@ -148,7 +148,8 @@ class InspectorPane : public Pane {
       changed = ImGui::InputText("##words", words);
     } else if (auto* vector = std::get_if<Vec3>(&value)) {
       double xyz[3] = {(*vector)[0], (*vector)[1], (*vector)[2]};
-      changed = ImGui::InputScalarN("##vec", ImGuiDataType_Double, xyz, 3, nullptr, nullptr, "%.3g");
+      changed = ImGui::InputScalarN("##vec", ImGuiDataType_Double, xyz, 3, nullptr, nullptr, "%.3g",
+                                    ImGuiInputTextFlags_CharsScientific);
       *vector = vec(xyz[0], xyz[1], xyz[2]);
     } else {
       return tell(shown);
